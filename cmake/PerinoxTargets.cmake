@@ -1,0 +1,11 @@
+# perinox_flags: include path, language level and warnings of perinox's own code.
+add_library(perinox_flags INTERFACE)
+target_include_directories(perinox_flags INTERFACE "${CMAKE_CURRENT_SOURCE_DIR}/include")
+target_compile_definitions(perinox_flags INTERFACE PERINOX_VERSION="${PROJECT_VERSION}")
+target_compile_options(perinox_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(PERINOX_WARNINGS_AS_ERRORS)
+  target_compile_options(perinox_flags INTERFACE -Werror)
+endif()
+if(PERINOX_NATIVE)
+  target_compile_options(perinox_flags INTERFACE -march=native)
+endif()

@@ -1,0 +1,172 @@
+#pragma once
+/// What the user wrote, read and checked against the schema, with every default filled in.
+/// Plain data: later rooms read it and never go back to YAML.
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "perinox/deck/expression.hpp"
+#include "perinox/deck/location.hpp"
+#include "perinox/deck/value.hpp"
+
+namespace perinox::deck {
+
+using Point = std::array<double, 3>;
+
+enum class Dimension { three, plane_strain, plane_stress };
+/// Unknowns a particle: 3, or 2 in plane strain and plane stress.
+int unknowns(Dimension dimension);
+
+// --- shapes -------------------------------------------------------------------------------------------------------
+struct Shape;
+struct Box { Point min, max; };
+/// Solid between the centres of its two end faces.
+struct Cylinder { Point start, end; double radius; };
+/// In 2-D a disc.
+struct Sphere { Point center; double radius; };
+/// Box with a round hole along z through `center`.
+struct PlateWithHole { Point min, max, center; double radius; };
+struct Union { std::vector<Shape> parts; };
+/// The first part without all the others.
+struct Difference { std::vector<Shape> parts; };
+/// Point cloud: CSV with header x,y,z,volume.
+struct CloudFile { std::string path; };
+struct Shape {
+  Location location;
+  std::variant<Box, Cylinder, Sphere, PlateWithHole, Union, Difference, CloudFile> form;
+};
+
+struct BodyPart {
+  Location location;
+  std::string name;
+  Shape shape;
+  /// Lattice spacing; for a cloud optional (0: not given).
+  double spacing = 0;
+  std::string material;
+};
+
+// --- bonds --------------------------------------------------------------------------------------------------------
+/// Exactly one of the two is given.
+struct Horizon {
+  Location location;
+  std::optional<double> ratio;   ///< of the largest spacing
+  std::optional<double> length;
+};
+enum class Influence { constant, inverse, polynomial };
+enum class Quadrature { whole, partial_volume, taper_inside };
+
+/// Parallelogram corner + a*edge1 + b*edge2, 0 <= a, b <= 1.
+struct CrackRectangle { Point corner, edge1, edge2; };
+struct CrackDisc { Point center, normal; double radius; };
+/// 2-D: a straight cut.
+struct CrackSegment { Point start, end; };
+struct Crack {
+  Location location;
+  std::variant<CrackRectangle, CrackDisc, CrackSegment> form;
+};
+
+// --- materials ----------------------------------------------------------------------------------------------------
+/// The material's own keys are declared by its model (materials room) and handed over as a checked Value.
+struct Material {
+  Location location;
+  std::string name;
+  std::string model;
+  Value parameters;
+};
+
+// --- sets, loads --------------------------------------------------------------------------------------------------
+struct SetWhere { Expression condition; };
+struct SetBox { Point min, max; };
+struct SetIds { std::vector<long long> ids; };
+struct SetBody { std::string body; };
+struct Set {
+  Location location;
+  std::string name;
+  std::variant<SetWhere, SetBox, SetIds, SetBody> form;
+};
+
+enum class LoadKind { displacement, force, body_force };
+/// One entry of `boundary`. Components not named are free (displacement) or zero (forces).
+struct Load {
+  Location location;
+  std::string set;
+  LoadKind kind = LoadKind::displacement;
+  std::array<std::optional<Expression>, 3> component;
+  /// Displacement only: the whole field from a CSV table instead of expressions.
+  std::optional<std::string> table;
+  Location table_location;
+};
+
+// --- solution -----------------------------------------------------------------------------------------------------
+struct Steps {
+  double end = 1;       ///< load parameter t at the end; t starts at 0
+  int count = 10;       ///< steps of equal size
+  bool adaptive = true; ///< halve a failed step, grow it again
+  int max_cuts = 8;     ///< smallest step = (end/count)/2^max_cuts
+};
+enum class TangentKind { matrix_free, assembled };
+enum class TangentForm { consistent, printed };
+enum class LineSearch { backtrack, full_step };
+enum class Forcing { eisenstat_walker, constant };
+enum class LinearMethod { automatic, cg, gmres };
+enum class Preconditioner { automatic, none, block_jacobi, jacobi, symmetric_gauss_seidel, chebyshev, ilu };
+struct Newton {
+  double tolerance = 1e-8;         ///< of the force residual, relative to the reactions
+  double update_tolerance = 1e-6;  ///< of the update, relative to the step's displacement increment
+  int max_iterations = 25;
+  LineSearch line_search = LineSearch::backtrack;
+  Forcing forcing = Forcing::eisenstat_walker;
+};
+struct Linear {
+  LinearMethod method = LinearMethod::automatic;
+  Preconditioner preconditioner = Preconditioner::automatic;
+  double tolerance = 1e-4;         ///< constant forcing: tolerance; Eisenstat-Walker: the loosest one
+  int max_iterations = 2000;
+};
+struct Solver {
+  Location location;
+  TangentKind tangent = TangentKind::matrix_free;
+  TangentForm form = TangentForm::consistent;
+  Newton newton;
+  Linear linear;
+};
+
+enum class HistoryKind { reaction, displacement, yielded };
+struct HistoryEntry {
+  Location location;
+  std::string name;
+  HistoryKind kind = HistoryKind::reaction;
+  std::string set;
+  int component = 0;  ///< 0 x, 1 y, 2 z; unused by `yielded`
+};
+struct Output {
+  int every = 1;
+  std::vector<std::string> fields;
+};
+
+struct Deck {
+  std::string file;
+  std::string title;
+  Dimension dimension = Dimension::three;
+  std::vector<BodyPart> body;
+  bool bond_bodies = true;  ///< particles of different bodies form bonds
+  Horizon horizon;
+  Influence influence = Influence::constant;
+  Quadrature quadrature = Quadrature::whole;
+  std::vector<Crack> cracks;
+  std::vector<Material> materials;
+  std::vector<Set> sets;
+  std::vector<Load> boundary;
+  Steps steps;
+  Solver solver;
+  Output output;
+  std::vector<HistoryEntry> history;
+
+  /// The checked deck with all defaults, from which deck.resolved.yaml is written.
+  Value resolved;
+};
+
+}  // namespace perinox::deck

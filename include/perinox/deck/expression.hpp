@@ -1,0 +1,33 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "perinox/deck/location.hpp"
+
+namespace perinox::deck {
+
+/// A formula of x, y, z (reference position) and t (load parameter), evaluated by muParser.
+/// Parsed, and evaluated once at the origin, when built: a misspelt name is an InputError at the deck's line
+/// before anything runs. Copies share the compiled formula; one Expression is used by one thread at a time.
+class Expression {
+ public:
+  /// The constant zero.
+  Expression();
+  /// A plain number.
+  explicit Expression(double value);
+  /// Throws InputError (`file:line:column: ...`) if the formula cannot be read.
+  Expression(std::string formula, const Location& where);
+
+  double operator()(double x, double y, double z, double t) const;
+  /// As the condition of a set: true where the value is not zero.
+  bool holds(double x, double y, double z) const { return (*this)(x, y, z, 0.0) != 0.0; }
+  const std::string& text() const { return text_; }
+  bool uses_time() const;
+
+ private:
+  struct Compiled;
+  std::string text_;
+  std::shared_ptr<Compiled> compiled_;
+};
+
+}  // namespace perinox::deck

@@ -1,0 +1,66 @@
+#pragma once
+/// The one declaration of everything a deck may say. Validation, defaults, `perinox help KEY`, docs/deck.md and the
+/// JSON Schema for editors all come from it.
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace perinox::deck {
+
+enum class Type {
+  number,      ///< finite real
+  integer,
+  boolean,
+  text,
+  word,        ///< one of `words`
+  path,        ///< file name, relative to the deck's folder
+  expression,  ///< number or formula of x, y, z, t
+  point,       ///< list of 2 or 3 numbers
+  list,        ///< list of `element`
+  map,         ///< fixed `keys`
+  choice,      ///< map with exactly one of `keys`
+  named,       ///< map from names chosen by the user to `element`
+};
+
+struct Key {
+  std::string name;
+  Type type = Type::number;
+  std::string unit;       ///< "length", "stress", "force", "-" ...
+  std::string sentence;   ///< what it means, one sentence
+  bool required = false;
+  std::optional<std::string> fallback;  ///< default, as YAML text
+  std::optional<double> minimum, maximum;  ///< of numbers and integers
+  bool exclusive_minimum = false;
+  std::vector<std::string> words;
+  std::vector<Key> keys;
+  std::vector<Key> element;  ///< list and named: exactly one entry
+};
+
+/// What a material model declares about itself; the materials room hands these over.
+struct ModelDeclaration {
+  std::string name;
+  std::string sentence;
+  std::vector<Key> keys;
+};
+
+class Schema {
+ public:
+  explicit Schema(std::vector<ModelDeclaration> models);
+  const Key& root() const { return root_; }
+  const std::vector<ModelDeclaration>& models() const { return models_; }
+
+  /// Documentation of one key by its dotted path (`solver.newton.tolerance`, `materials.elastic.bulk_modulus`), or of
+  /// every key with that last name. Throws InputError with the nearest name if there is none.
+  std::string help(const std::string& path) const;
+  /// docs/deck.md, whole.
+  std::string reference_page() const;
+  /// JSON Schema (draft 7), indented.
+  std::string json_schema() const;
+
+ private:
+  Key root_;
+  std::vector<ModelDeclaration> models_;
+};
+
+}  // namespace perinox::deck

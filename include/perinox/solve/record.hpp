@@ -1,0 +1,56 @@
+#pragma once
+/// What a run tells the outside world: plain records, handed to an Observer. The solve room does not know who listens.
+#include <string>
+#include <vector>
+
+namespace perinox::solve {
+
+/// One row of the Newton table and of convergence.csv. Iteration 0 is the state the step starts from.
+struct NewtonIteration {
+  int step = 0;
+  double t = 0;
+  int iteration = 0;
+  double residual = 0;           ///< 2-norm of the out-of-balance force over the free unknowns
+  double relative_residual = 0;  ///< residual over the reaction scale
+  double update = 0;             ///< 2-norm of this iteration's change of displacement; 0 in iteration 0
+  double relative_update = 0;    ///< update over the 2-norm of the step's whole displacement increment
+  int linear_iterations = 0;
+  double forcing = 0;            ///< tolerance asked of the linear solve; 0 in iteration 0
+  double step_length = 1;        ///< of the line search
+};
+
+/// A point field of the owned particles, in the body's own order.
+struct Field {
+  std::string name;
+  int components = 1;            ///< 1, or the body's dimension
+  const double* values = nullptr;///< [owned * components]
+};
+
+/// One converged and committed step: one row of history.csv, one group of results.h5.
+struct StepRecord {
+  int step = 0;                  ///< 1, 2, ...
+  double t = 0;
+  int newton_iterations = 0;
+  int linear_iterations = 0;
+  double stored_energy = 0;      ///< at the end of the step
+  double dissipated_energy = 0;  ///< since t = 0
+  double external_work = 0;      ///< since t = 0
+  double seconds = 0;            ///< wall time of the step
+  double remaining_seconds = 0;  ///< estimate to the end
+  double end = 0;                ///< t at the end of the run
+  std::vector<double> history;   ///< one value per deck.history entry
+  std::vector<Field> fields;     ///< every field the scene carries
+  bool last = false;
+};
+
+/// Callbacks are collective: every rank gets every call, with the same scalars.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void newton_iteration(const NewtonIteration&) {}
+  /// A step from `t_from` to `t_to` did not converge and will be tried again, shorter; `reason` is a sentence.
+  virtual void step_rejected(double /*t_from*/, double /*t_to*/, const std::string& /*reason*/) {}
+  virtual void step_committed(const StepRecord&) {}
+};
+
+}  // namespace perinox::solve

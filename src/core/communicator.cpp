@@ -1,0 +1,64 @@
+#include "perinox/core/communicator.hpp"
+
+#include "perinox/core/error.hpp"
+
+namespace perinox {
+
+namespace {
+template <class T>
+T reduce(T value, MPI_Datatype type, MPI_Op operation, MPI_Comm comm) {
+  T result = value;
+  MPI_Allreduce(&value, &result, 1, type, operation, comm);
+  return result;
+}
+}  // namespace
+
+Communicator::Communicator(MPI_Comm comm) : comm_(comm) {
+  MPI_Comm_rank(comm, &rank_);
+  MPI_Comm_size(comm, &size_);
+}
+
+double Communicator::sum(double value) const { return reduce(value, MPI_DOUBLE, MPI_SUM, comm_); }
+long long Communicator::sum(long long value) const { return reduce(value, MPI_LONG_LONG, MPI_SUM, comm_); }
+double Communicator::max(double value) const { return reduce(value, MPI_DOUBLE, MPI_MAX, comm_); }
+long long Communicator::max(long long value) const { return reduce(value, MPI_LONG_LONG, MPI_MAX, comm_); }
+double Communicator::min(double value) const { return reduce(value, MPI_DOUBLE, MPI_MIN, comm_); }
+bool Communicator::any(bool value) const { return reduce(value ? 1 : 0, MPI_INT, MPI_MAX, comm_) != 0; }
+
+long long Communicator::exclusive_scan(long long value) const {
+  long long before = 0;
+  MPI_Exscan(&value, &before, 1, MPI_LONG_LONG, MPI_SUM, comm_);
+  return rank_ == 0 ? 0 : before;
+}
+
+void Communicator::sum(std::vector<double>& values) const {
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, comm_);
+}
+
+std::vector<double> Communicator::gather(double value) const {
+  std::vector<double> all(static_cast<std::size_t>(size_));
+  MPI_Allgather(&value, 1, MPI_DOUBLE, all.data(), 1, MPI_DOUBLE, comm_);
+  return all;
+}
+
+std::vector<long long> Communicator::gather(long long value) const {
+  std::vector<long long> all(static_cast<std::size_t>(size_));
+  MPI_Allgather(&value, 1, MPI_LONG_LONG, all.data(), 1, MPI_LONG_LONG, comm_);
+  return all;
+}
+
+void Communicator::barrier() const { MPI_Barrier(comm_); }
+
+void Communicator::agree_on_input_error(const std::string& sentence) const {
+  const int mine = sentence.empty() ? size_ : rank_;
+  const int speaker = reduce(mine, MPI_INT, MPI_MIN, comm_);
+  if (speaker == size_) return;
+  auto length = static_cast<int>(sentence.size());
+  MPI_Bcast(&length, 1, MPI_INT, speaker, comm_);
+  std::string text = sentence;
+  text.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(text.data(), length, MPI_CHAR, speaker, comm_);
+  throw InputError(text);
+}
+
+}  // namespace perinox
