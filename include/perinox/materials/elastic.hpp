@@ -1,0 +1,25 @@
+#pragma once
+#include "perinox/materials/elastic_constants.hpp"
+#include "perinox/materials/material.hpp"
+
+namespace perinox::materials {
+
+/// Linear peridynamic solid, Mitchell 2011 Eq. 24-26, in 3-D, plane strain and plane stress.
+class Elastic : public Material {
+ public:
+  /// bulk: kappa of the dimension at hand. with_dilatation false: theta is taken as zero, a bond-by-bond solid.
+  Elastic(double bulk, double shear, bool with_dilatation);
+
+  PointResponse respond(const Family& family, const double* extension, CommittedHistory committed, double* force_state,
+                        TrialHistory trial) const override;
+  void modulus(const Family& family, const double* extension, CommittedHistory committed, deck::TangentForm form,
+               ModulusState& modulus) const override;
+  std::string summary() const override;
+
+ private:
+  double bulk_;
+  double shear_;
+  bool with_dilatation_;
+};
+
+}  // namespace perinox::materials

@@ -1,0 +1,80 @@
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+namespace perinox::materials {
+
+/// One point's bonds as the point formulas see them. Arrays have `count` entries and are not owned.
+struct Family {
+  int dimension = 3;                     ///< d of the formulas: 3 or 2
+  int count = 0;                         ///< bonds
+  const double* length = nullptr;        ///< xi, length
+  const double* influence = nullptr;     ///< omega(xi)
+  const double* weight = nullptr;        ///< neighbour's volume times its quadrature share, volume
+  double weighted_volume = 0;            ///< m = sum omega xi^2 weight (Eq. 8)
+  double continuum_weighted_volume = 0;  ///< m of a full continuous neighbourhood
+};
+
+/// History of one point at the last converged step: nothing can be written through it.
+struct CommittedHistory {
+  const double* point = nullptr;  ///< [HistoryLayout::point.size()]
+  const double* bond = nullptr;   ///< [count * HistoryLayout::per_bond], bond-major
+};
+
+/// History of the same point in the state under trial.
+struct TrialHistory {
+  double* point = nullptr;
+  double* bond = nullptr;
+};
+
+/// Which history variables a material carries. An elastic one carries none.
+struct HistoryLayout {
+  std::vector<std::string> point;  ///< names of the point variables, which are also output fields
+  int per_bond = 0;
+};
+
+/// What one evaluation of a point yields besides its force state.
+struct PointResponse {
+  double dilatation = 0;     ///< theta (Eq. 9), dimensionless
+  double stored_energy = 0;  ///< recoverable energy a volume, W
+  double dissipation = 0;    ///< Delta lambda beta^2 of this step, energy a volume, >= 0
+  double hardening_potential = 0;  ///< work of the yield value over the step's flow; W + this is t's potential
+  bool yielding = false;     ///< plastic flow in this step
+};
+
+/// Linearisation of one point's scalar force state,
+///     dt<zeta> = D<zeta> de<zeta> + sum_r c_r p_r<zeta> (q_r . de),     a . b = sum a b weight,
+/// filled by a material, read by the loops. All that the loops know of a material (formulation 3).
+class ModulusState {
+ public:
+  static constexpr int max_rank = 4;
+  /// A rank-one term. The radial one has p = q = omega xi and needs no arrays.
+  struct Term {
+    double coefficient = 0;
+    bool radial = false;
+    const double* p = nullptr;  ///< [count], unless radial
+    const double* q = nullptr;  ///< [count]; may be p
+  };
+
+  /// Forgets the last point and makes room for `count` bonds.
+  void reset(int count);
+  double* diagonal() { return diagonal_.data(); }
+  const double* diagonal() const { return diagonal_.data(); }
+  /// Adds c (omega xi) (omega xi . de).
+  void add_radial(double coefficient);
+  /// Adds c p (p . de) and returns p, [count], to be filled.
+  double* add_symmetric(double coefficient);
+
+  int rank() const { return rank_; }
+  const Term& term(int r) const { return terms_[static_cast<std::size_t>(r)]; }
+
+ private:
+  int count_ = 0;
+  int rank_ = 0;
+  std::vector<double> diagonal_;
+  std::array<std::vector<double>, max_rank> storage_;
+  std::array<Term, max_rank> terms_;
+};
+
+}  // namespace perinox::materials

@@ -1,0 +1,55 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "perinox/deck/deck.hpp"
+#include "perinox/deck/schema.hpp"
+#include "perinox/materials/family.hpp"
+
+namespace perinox::materials {
+
+/// An ordinary material: for one family, its energy, scalar force state and modulus state. Nothing else in the code
+/// knows what the material is. Stateless: all history is handed in.
+class Material {
+ public:
+  virtual ~Material() = default;
+
+  virtual HistoryLayout history() const { return {}; }
+
+  /// Scalar force state t<xi> (force a volume squared) of a family with extension state e. extension, force_state:
+  /// [count]. Reads the committed history, writes every entry of the trial history.
+  virtual PointResponse respond(const Family& family, const double* extension, CommittedHistory committed,
+                                double* force_state, TrialHistory trial) const = 0;
+
+  /// dt/de of respond() at the same extension and committed history.
+  /// `printed` gives the modulus state as the source paper prints it, where that differs.
+  virtual void modulus(const Family& family, const double* extension, CommittedHistory committed,
+                       deck::TangentForm form, ModulusState& modulus) const = 0;
+
+  /// False where dt/de is not symmetric: the linear solver then needs GMRES.
+  virtual bool symmetric() const { return true; }
+  /// One line for `perinox check`: what is carried and the derived constants.
+  virtual std::string summary() const = 0;
+};
+
+/// A material model: what the deck may say about it, and how it is made.
+struct Model {
+  deck::ModelDeclaration declaration;
+  /// Throws InputError at the deck's line: inconsistent constants, a dimension the model does not have.
+  std::function<std::unique_ptr<Material>(const deck::Material&, deck::Dimension)> make;
+};
+
+/// Adds a model to the registry; called by PERINOX_REGISTER_MATERIAL before main. Returns true.
+bool add_model(Model model);
+/// Declarations of all models, by name, for the deck's schema.
+std::vector<deck::ModelDeclaration> declarations();
+/// Throws InputError if the model is unknown.
+std::unique_ptr<Material> make(const deck::Material& material, deck::Dimension dimension);
+
+/// In a material's .cpp: registers it; nothing else in the code has to be edited.
+#define PERINOX_REGISTER_MATERIAL(name, model) \
+  [[maybe_unused]] const bool name##_registered = ::perinox::materials::add_model(model)
+
+}  // namespace perinox::materials
