@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "perinox/mechanics/state.hpp"
+
+namespace perinox::mechanics {
+
+/// Internal force on every particle, f_i = V_i sum_j (T_i<xi> - T_j<-xi>) V_j (Eq. 16 times V_i; force), with return
+/// mapping from the committed state. Minus the gradient of the stored energy where nothing flows.
+/// displacement: [owned * dimension]; force: [owned * dimension], overwritten. Fills `trial` with everything the state
+/// needs to be committed. Collective.
+void internal_force(const Scene& scene, const Committed& committed, const double* displacement, Trial& trial,
+                    double* force);
+
+/// Names the first owned particle whose force is not finite: a sentence with its id, position and, where a bond has
+/// collapsed to length zero, the neighbour; "" if all are finite. Not collective.
+std::string first_not_finite(const Scene& scene, const Trial& trial, const double* force);
+
+}  // namespace perinox::mechanics
