@@ -27,6 +27,7 @@ class Expression {
  private:
   struct Compiled;
   std::string text_;
+  double constant_ = 0;  ///< the value where there is no formula
   std::shared_ptr<Compiled> compiled_;
 };
 

@@ -35,6 +35,18 @@ struct Key {
   std::vector<std::string> words;
   std::vector<Key> keys;
   std::vector<Key> element;  ///< list and named: exactly one entry
+
+  /// The keys are those of the schema's definition of this name (shapes contain shapes).
+  std::string reference;
+  /// Of a map: groups of keys of which exactly one group is used; a choice has one group for each key.
+  std::vector<std::vector<std::string>> alternatives;
+  /// What messages call a map with these keys: "a material". Empty: the dotted path.
+  std::string place;
+  /// The map's key `model` names a ModelDeclaration, whose keys are then allowed beside `keys`.
+  bool picks_model = false;
+  std::size_t minimum_items = 0;  ///< of a list
+  bool unique = false;            ///< a list without repetitions
+  std::string example;            ///< YAML of a top-level key, for the reference page
 };
 
 /// What a material model declares about itself; the materials room hands these over.
@@ -48,7 +60,14 @@ class Schema {
  public:
   explicit Schema(std::vector<ModelDeclaration> models);
   const Key& root() const { return root_; }
+  /// The key that others refer to by this name. Throws std::logic_error if there is none.
+  const Key& definition(const std::string& name) const;
+  /// The key whose type, keys and alternatives hold for this one: itself, or the definition it refers to.
+  const Key& structure(const Key& key) const { return key.reference.empty() ? key : definition(key.reference); }
+  const std::map<std::string, Key>& definitions() const { return definitions_; }
   const std::vector<ModelDeclaration>& models() const { return models_; }
+  /// nullptr if there is no model of this name.
+  const ModelDeclaration* model(const std::string& name) const;
 
   /// Documentation of one key by its dotted path (`solver.newton.tolerance`, `materials.elastic.bulk_modulus`), or of
   /// every key with that last name. Throws InputError with the nearest name if there is none.
@@ -60,6 +79,7 @@ class Schema {
 
  private:
   Key root_;
+  std::map<std::string, Key> definitions_;
   std::vector<ModelDeclaration> models_;
 };
 

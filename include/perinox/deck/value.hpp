@@ -20,10 +20,14 @@ class Value {
   bool given() const;
 
   // maps
+  /// True if the key has a value, written or by default; false for an optional key that was left out.
   bool has(const std::string& key) const;
-  /// Throws std::logic_error for a key the schema does not have: a fault of the program, not of the user.
+  /// A value of kind `none` for an optional key that was left out. Throws std::logic_error for a key the schema does not have: a fault of the program, not of the user.
   const Value& at(const std::string& key) const;
+  /// The keys that have a value, in the schema's order (for user-chosen names: in the file's order).
   const std::vector<std::pair<std::string, Value>>& entries() const;
+  /// The optional keys that were left out and have no default.
+  std::vector<std::string> absent_keys() const;
   // lists
   const std::vector<Value>& items() const;
   // scalars (already checked against the schema's type)

@@ -1,0 +1,23 @@
+#pragma once
+/// The schema applied to a YAML tree.
+#include <string>
+
+#include "document.hpp"
+#include "perinox/deck/schema.hpp"
+#include "perinox/deck/value.hpp"
+
+namespace perinox::deck {
+
+/// The tree as a Value with every default filled in, numbers in canonical text and paths absolute (relative ones are
+/// taken from `folder`). Throws InputError at the first thing the schema does not allow.
+Value check_against_schema(const Node& root, const Schema& schema, const std::string& folder);
+
+/// A scalar of the schema. Throws InputError for a wrong type, a number out of range, an unknown word, a missing file.
+Value check_scalar(const Node& node, const Key& key, const std::string& name, const std::string& folder);
+
+/// What a value of this key looks like, for messages and the reference page: "a number", "a list of numbers", ...
+std::string expected(const Key& key);
+/// "greater than 0", "from 0 to 60", "at least 1"; "" if there is no limit.
+std::string range_text(const Key& key);
+
+}  // namespace perinox::deck

@@ -1,0 +1,193 @@
+#include "convert.hpp"
+
+#include <fmt/format.h>
+
+#include "scalar.hpp"
+#include "words.hpp"
+
+namespace perinox::deck {
+namespace {
+
+/// A number without a parser, anything else compiled.
+Expression convert_expression(const Value& value) { return Expression(value.text(), value.location()); }
+
+BodyPart convert_body(const Value& value, Dimension dimension) {
+  BodyPart part;
+  part.location = value.location();
+  part.name = value.at("name").text();
+  part.material = value.at("material").text();
+  part.shape = convert_shape(value.at("shape"), dimension);
+  if (value.has("spacing")) {
+    part.spacing = value.at("spacing").number();
+  } else if (!std::holds_alternative<CloudFile>(part.shape.form)) {
+    refuse(value.location(),
+           fmt::format("the body {} needs the key spacing: only a point cloud can do without", part.name));
+  }
+  return part;
+}
+
+Horizon convert_horizon(const Value& value) {
+  Horizon horizon;
+  horizon.location = value.location();
+  if (value.has("ratio")) horizon.ratio = value.at("ratio").number();
+  if (value.has("length")) horizon.length = value.at("length").number();
+  return horizon;
+}
+
+Set convert_set(const std::string& name, const Value& value, Dimension dimension) {
+  Set set;
+  set.location = value.location();
+  set.name = name;
+  const auto& [form, inner] = value.entries().front();
+  if (form == "where") {
+    const Expression condition = convert_expression(inner);
+    if (condition.uses_time()) {
+      refuse(inner.location(),
+             fmt::format("the formula of the set {} uses t, but a set is the same at every t; use only "
+                         "x, y and z",
+                         name));
+    }
+    set.form = SetWhere{condition};
+  } else if (form == "box") {
+    const SetBox box{convert_point(inner.at("min"), dimension, "min"),
+                     convert_point(inner.at("max"), dimension, "max")};
+    refuse_empty_box(box.min, box.max, dimension, inner.at("max").location(), "box");
+    set.form = box;
+  } else if (form == "ids") {
+    SetIds ids;
+    for (const Value& id : inner.items()) ids.ids.push_back(id.integer());
+    set.form = ids;
+  } else {
+    set.form = SetBody{inner.text()};
+  }
+  return set;
+}
+
+Load convert_load(const Value& value, Dimension dimension) {
+  Load load;
+  load.location = value.location();
+  load.set = value.at("set").text();
+  const char* name = "displacement";
+  if (value.has("force")) {
+    load.kind = LoadKind::force;
+    name = "force";
+  } else if (value.has("body_force")) {
+    load.kind = LoadKind::body_force;
+    name = "body_force";
+  }
+  const Value& inner = value.at(name);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string& axis = words::component[i];
+    if (!inner.has(axis)) continue;
+    const Value& component = inner.at(axis);
+    if (i == 2 && dimension != Dimension::three) {
+      refuse(component.location(), fmt::format("{} has a z component, but this deck is 2-D; remove z", name));
+    }
+    load.component[i] = convert_expression(component);
+  }
+  if (load.kind == LoadKind::displacement && inner.has("table")) {
+    load.table = inner.at("table").text();
+    load.table_location = inner.at("table").location();
+  }
+  return load;
+}
+
+Steps convert_steps(const Value& value) {
+  Steps steps;
+  steps.end = value.at("end").number();
+  steps.count = static_cast<int>(value.at("count").integer());
+  steps.adaptive = value.at("adaptive").boolean();
+  steps.max_cuts = static_cast<int>(value.at("max_cuts").integer());
+  return steps;
+}
+
+template <class Enumeration>
+Enumeration convert_word(const Value& map, const std::string& key, const std::vector<std::string>& words) {
+  return words::value_of<Enumeration>(words, map.at(key).text());
+}
+
+Solver convert_solver(const Value& value) {
+  Solver solver;
+  solver.location = value.location();
+  solver.tangent = convert_word<TangentKind>(value, "tangent", words::tangent_kind);
+  solver.form = convert_word<TangentForm>(value, "form", words::tangent_form);
+  const Value& newton = value.at("newton");
+  solver.newton.tolerance = newton.at("tolerance").number();
+  solver.newton.update_tolerance = newton.at("update_tolerance").number();
+  solver.newton.max_iterations = static_cast<int>(newton.at("max_iterations").integer());
+  solver.newton.line_search = convert_word<LineSearch>(newton, "line_search", words::line_search);
+  solver.newton.forcing = convert_word<Forcing>(newton, "forcing", words::forcing);
+  const Value& linear = value.at("linear");
+  solver.linear.method = convert_word<LinearMethod>(linear, "method", words::linear_method);
+  solver.linear.preconditioner = convert_word<Preconditioner>(linear, "preconditioner", words::preconditioner);
+  solver.linear.tolerance = linear.at("tolerance").number();
+  solver.linear.max_iterations = static_cast<int>(linear.at("max_iterations").integer());
+  return solver;
+}
+
+Output convert_output(const Value& value) {
+  Output output;
+  output.every = static_cast<int>(value.at("every").integer());
+  for (const Value& field : value.at("fields").items()) output.fields.push_back(field.text());
+  return output;
+}
+
+HistoryEntry convert_history(const Value& value, Dimension dimension) {
+  HistoryEntry entry;
+  entry.location = value.location();
+  entry.name = value.at("name").text();
+  for (const std::string& kind : words::history_kind) {
+    if (!value.has(kind)) continue;
+    entry.kind = words::value_of<HistoryKind>(words::history_kind, kind);
+    entry.set = value.at(kind).text();
+  }
+  const bool directed = entry.kind != HistoryKind::yielded;
+  if (directed && !value.has("component")) {
+    refuse(value.location(), fmt::format("the history entry {} needs the key component: x, y or z", entry.name));
+  }
+  if (!directed && value.has("component")) {
+    refuse(value.at("component").location(),
+           fmt::format("the history entry {} is a fraction and has no component; remove it", entry.name));
+  }
+  if (directed) entry.component = convert_word<int>(value, "component", words::component);
+  if (entry.component == 2 && dimension != Dimension::three) {
+    refuse(value.at("component").location(),
+           fmt::format("the history entry {} asks for the z component, but this deck is 2-D; use x or y", entry.name));
+  }
+  return entry;
+}
+
+}  // namespace
+
+int unknowns(Dimension dimension) { return dimension == Dimension::three ? 3 : 2; }
+
+Deck convert(Value checked, const std::string& file) {
+  Deck deck;
+  deck.file = file;
+  deck.title = checked.at("title").text();
+  deck.dimension = convert_word<Dimension>(checked, "dimension", words::dimension);
+  for (const Value& part : checked.at("body").items()) deck.body.push_back(convert_body(part, deck.dimension));
+  deck.bond_bodies = checked.at("bond_bodies").boolean();
+  deck.horizon = convert_horizon(checked.at("horizon"));
+  deck.influence = convert_word<Influence>(checked, "influence", words::influence);
+  deck.quadrature = convert_word<Quadrature>(checked, "quadrature", words::quadrature);
+  for (const Value& crack : checked.at("cracks").items()) deck.cracks.push_back(convert_crack(crack, deck.dimension));
+  for (const auto& [name, value] : checked.at("materials").entries()) {
+    deck.materials.push_back({value.location(), name, value.at("model").text(), value});
+  }
+  for (const auto& [name, value] : checked.at("sets").entries()) {
+    deck.sets.push_back(convert_set(name, value, deck.dimension));
+  }
+  for (const Value& load : checked.at("boundary").items()) deck.boundary.push_back(convert_load(load, deck.dimension));
+  deck.steps = convert_steps(checked.at("steps"));
+  deck.solver = convert_solver(checked.at("solver"));
+  deck.output = convert_output(checked.at("output"));
+  for (const Value& entry : checked.at("history").items()) {
+    deck.history.push_back(convert_history(entry, deck.dimension));
+  }
+  deck.resolved = std::move(checked);
+  check_references(deck);
+  return deck;
+}
+
+}  // namespace perinox::deck

@@ -1,0 +1,21 @@
+#pragma once
+/// From a checked Value to the plain Deck, with the rules that span several keys.
+#include "perinox/deck/deck.hpp"
+
+namespace perinox::deck {
+
+/// Throws InputError where a point or shape does not fit the dimension or is empty.
+Deck convert(Value checked, const std::string& file);
+
+/// `dimension` decides how many entries a point has; `third_allowed`: a third entry other than 0 is accepted in 2-D.
+Point convert_point(const Value& value, Dimension dimension, const std::string& name, bool third_allowed = false);
+Shape convert_shape(const Value& value, Dimension dimension);
+Crack convert_crack(const Value& value, Dimension dimension);
+/// Throws InputError unless max is greater than min in every direction of the dimension.
+void refuse_empty_box(const Point& min, const Point& max, Dimension dimension, const Location& where,
+                      const std::string& name);
+
+/// Names and references between the deck's parts. Throws InputError at the place of the name.
+void check_references(const Deck& deck);
+
+}  // namespace perinox::deck

@@ -1,0 +1,104 @@
+/// The deck's top level: every part in the order in which the reference page shows it.
+#include "declare.hpp"
+#include "words.hpp"
+
+namespace perinox::deck {
+namespace {
+
+Key declare_horizon() {
+  Key ratio = number_key("ratio", "-", "Horizon divided by the largest spacing of the bodies.");
+  ratio.minimum = 1;
+  Key length = positive_key("length", "length", "Horizon as a length.");
+  Key key = required(choice_key("horizon", "Distance up to which two particles interact.", {ratio, length}));
+  key.example = "horizon: {ratio: 3.015}";
+  return key;
+}
+
+Key declare_materials(const std::vector<ModelDeclaration>& models) {
+  std::vector<std::string> names;
+  for (const ModelDeclaration& model : models) names.push_back(model.name);
+  Key element = map_key(
+      "", "One material; its other keys are those of its model.",
+      {required(word_key("model", names, "", "The material model, which decides the other keys.")),
+       positive_key("density", "mass/volume", "Mass density; needed only by dynamics, ignored in quasi-static runs.")});
+  element.place = "a material";
+  element.picks_model = true;
+  Key key;
+  key.name = "materials";
+  key.type = Type::named;
+  key.sentence = "The materials, each under a name of your choice that bodies refer to.";
+  key.required = true;
+  key.element.push_back(element);
+  return key;
+}
+
+Key declare_steps() {
+  Key end = positive_key("end", "-", "Load parameter t at the end of the run; t starts at 0.");
+  end.fallback = "1";
+  Key key =
+      map_key("steps", "How the load parameter t goes from 0 to its end.",
+              {end, integer_key("count", 1, 1e9, "10", "Number of steps of equal size."),
+               boolean_key("adaptive", true, "Halve a step that fails to converge and let later steps grow again."),
+               integer_key("max_cuts", 0, 60, "8", "How often a step may be halved before the run stops.")});
+  key.fallback = "{}";
+  key.example = "steps: {end: 1.0, count: 20}";
+  return key;
+}
+
+Key declare_output() {
+  Key fields =
+      list_key("fields", "The fields written at each output step.", word_key("", words::field, "", "Name of a field."));
+  fields.unique = true;
+  fields.fallback = "[displacement, force]";
+  Key key = map_key(
+      "output", "What is written to results.h5.",
+      {integer_key("every", 1, 1e9, "1", "Write every so many converged steps; the last is always written."), fields});
+  key.fallback = "{}";
+  key.example = "output: {every: 5, fields: [displacement, force, dilatation]}";
+  return key;
+}
+
+Key declare_history() {
+  Key element = map_key(
+      "", "One column of history.csv.",
+      {required(text_key("name", "Name of the column.")),
+       text_key("reaction", "Set whose total reaction force is recorded: a set's or body's name, or all."),
+       text_key("displacement", "Set whose mean displacement is recorded: a set's or body's name, or all."),
+       text_key("yielded", "Set whose fraction of particles with plastic flow is recorded."),
+       word_key("component", words::component, "", "Direction of the reaction or displacement; not used by yielded.")});
+  element.place = "a history entry";
+  element.alternatives = {{"reaction"}, {"displacement"}, {"yielded"}};
+  Key key = list_key("history", "Numbers recorded after every converged step in history.csv.", element);
+  key.fallback = "[]";
+  key.example = "history:\n  - {name: pull, reaction: head, component: z}\n  - {name: plastic, yielded: all}";
+  return key;
+}
+
+}  // namespace
+
+Key declare_deck(const std::vector<ModelDeclaration>& models) {
+  Key title = text_key("title", "Shown in the report and in messages; by default the deck's file name.");
+  Key dimension = required(
+      word_key("dimension", words::dimension, "", "3 for a solid, or a plane state with two unknowns a particle."));
+  dimension.example = "dimension: 3";
+  Key influence =
+      word_key("influence", words::influence, "constant",
+               "Weight of a bond by its length: 1, horizon/length, or a polynomial that ends at 0 at the horizon.");
+  influence.example = "influence: inverse";
+  Key quadrature = word_key("quadrature", words::quadrature, "whole",
+                            "How much of a neighbour's volume counts near the horizon: all of it, the part inside the "
+                            "horizon, or a taper that ends at the horizon.");
+  quadrature.example = "quadrature: partial-volume";
+  Key bond_bodies = boolean_key("bond_bodies", true, "Particles of different bodies form bonds.");
+  bond_bodies.example = "bond_bodies: false";
+  title.example = "title: block in tension";
+  Key root = map_key("", "The deck.",
+                     {title, dimension, declare_body(), bond_bodies, declare_horizon(), influence, quadrature,
+                      declare_cracks(), declare_materials(models), declare_sets(), declare_boundary(), declare_steps(),
+                      declare_solver(), declare_output(), declare_history()});
+  root.place = "a deck";
+  root.required = true;
+  return root;
+}
+
+}  // namespace perinox::deck

@@ -1,0 +1,51 @@
+/// The solver's settings.
+#include "declare.hpp"
+#include "words.hpp"
+
+namespace perinox::deck {
+namespace {
+
+Key tolerance_key(std::string name, std::string fallback, std::string sentence) {
+  Key key = positive_key(std::move(name), "-", std::move(sentence));
+  key.maximum = 1;
+  key.fallback = std::move(fallback);
+  return key;
+}
+
+}  // namespace
+
+Key declare_solver() {
+  Key newton = map_key(
+      "newton", "Newton's iteration of a step.",
+      {tolerance_key("tolerance", "1e-8", "Force residual, relative to the reactions, at which a step is converged."),
+       tolerance_key("update_tolerance", "1e-6",
+                     "Newton update, relative to the step's displacement increment, at which a step is converged."),
+       integer_key("max_iterations", 1, 100000, "25", "Iterations after which a step counts as failed."),
+       word_key("line_search", words::line_search, "backtrack",
+                "Shorten an update that does not lower the residual, or always take it whole."),
+       word_key("forcing", words::forcing, "eisenstat-walker",
+                "Tolerance of the linear solves: adapted to Newton's progress, or always linear.tolerance.")});
+  newton.fallback = "{}";
+  Key linear = map_key(
+      "linear", "The linear solves within Newton's iteration.",
+      {word_key("method", words::linear_method, "automatic",
+                "Krylov method; automatic takes cg where the tangent is symmetric, else gmres."),
+       word_key("preconditioner", words::preconditioner, "automatic",
+                "Preconditioner; symmetric-gauss-seidel, chebyshev and ilu work on the assembled tangent."),
+       tolerance_key("tolerance", "1e-4",
+                     "Relative residual of a linear solve; with eisenstat-walker forcing the loosest one allowed."),
+       integer_key("max_iterations", 1, 1e9, "2000", "Iterations after which a linear solve is given up.")});
+  linear.fallback = "{}";
+  Key key = map_key(
+      "solver", "How each step is solved; every key has a good default.",
+      {word_key("tangent", words::tangent_kind, "matrix-free", "Apply the tangent bond by bond, or assemble a matrix."),
+       word_key(
+           "form", words::tangent_form, "consistent",
+           "Tangent with every term of the derivative, or the form printed in the literature, which leaves terms out."),
+       newton, linear});
+  key.fallback = "{}";
+  key.example = "solver:\n  tangent: assembled\n  newton: {tolerance: 1e-9}\n  linear: {preconditioner: ilu}";
+  return key;
+}
+
+}  // namespace perinox::deck

@@ -1,0 +1,196 @@
+#include "document.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+
+namespace perinox::deck {
+namespace {
+
+constexpr int deepest = 60;
+constexpr std::size_t most_nodes = 2'000'000;
+
+class TreeBuilder {
+ public:
+  explicit TreeBuilder(const std::string& file) : file_(file) {}
+
+  Node build(const YAML::Node& yaml, const Location& around, int depth) {
+    Node node;
+    node.location = place(yaml, around);
+    if (depth > deepest) {
+      refuse(node.location,
+             fmt::format("lists and maps are nested more than {} deep here; a deck never needs that", deepest));
+    }
+    if (++nodes_ > most_nodes) {
+      refuse(
+          node.location,
+          fmt::format("the deck has more than {} values (aliases written out); put large data in a file", most_nodes));
+    }
+    if (yaml.IsScalar()) {
+      node.kind = Node::Kind::scalar;
+      node.text = yaml.Scalar();
+      node.quoted = yaml.Tag() == "!";
+    } else if (yaml.IsSequence()) {
+      node.kind = Node::Kind::list;
+      for (const auto& item : yaml) node.items.push_back(build(item, node.location, depth + 1));
+    } else if (yaml.IsMap()) {
+      node.kind = Node::Kind::map;
+      for (const auto& entry : yaml) add_entry(node, entry.first, entry.second, depth);
+    }
+    return node;
+  }
+
+ private:
+  void add_entry(Node& map, const YAML::Node& key, const YAML::Node& value, int depth) {
+    const Location where = place(key, map.location);
+    if (!key.IsScalar() || key.Scalar().empty()) {
+      refuse(where, "a key is missing or is not a word here; check the commas and colons of this map");
+    }
+    map.entries.push_back({key.Scalar(), where, build(value, where, depth + 1)});
+  }
+
+  /// yaml-cpp marks an empty value behind itself; it is then better named by what is around it.
+  Location place(const YAML::Node& yaml, const Location& around) const {
+    const YAML::Mark mark = yaml.Mark();
+    if (mark.line < 0 || yaml.IsNull()) return around;
+    return {file_, mark.line + 1, mark.column + 1};
+  }
+
+  std::string file_;
+  std::size_t nodes_ = 0;
+};
+
+std::string syntax_sentence(const std::string& message) {
+  const auto says = [&](const char* part) { return message.find(part) != std::string::npos; };
+  if (says("illegal tab")) return "a tab cannot indent a line in YAML; use blanks";
+  if (says("end of sequence flow")) return "the list opened with [ here is not closed, or a comma is missing in it";
+  if (says("end of map flow")) return "the map opened with { here is not closed, or a comma is missing in it";
+  if (says("illegal flow end")) return "this closing bracket has no opening one";
+  if (says("illegal map value")) {
+    return "a second colon on this line; put each key on a line of its own, or quotes around a text with a colon";
+  }
+  if (says("illegal EOF in scalar")) return "a text in quotes is not closed";
+  if (says("referenced anchor")) return "the alias (*name) refers to an anchor (&name) that is not defined before it";
+  if (says("unknown token")) return "this character cannot start a value in YAML; put the text in quotes";
+  if (says("end of map not found") || says("end of sequence not found")) {
+    return "the indentation does not fit the lines above, or a colon or hyphen is missing";
+  }
+  return "this is not YAML (" + message + "); check indentation, colons and brackets near here";
+}
+
+/// `a.b.c` as its words.
+std::vector<std::string> split_path(const std::string& path) {
+  std::vector<std::string> words(1);
+  for (const char c : path) {
+    if (c == '.') {
+      words.emplace_back();
+    } else {
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
+void place_everywhere(Node& node, const Location& where) {
+  node.location = where;
+  for (Node& item : node.items) place_everywhere(item, where);
+  for (Entry& entry : node.entries) {
+    entry.location = where;
+    place_everywhere(entry.value, where);
+  }
+}
+
+Node& step_into_list(Node& list, const std::string& word, const std::string& name, const Location& where) {
+  const bool digits = !word.empty() && word.size() < 10 &&
+                      std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (!digits) {
+    refuse(where, fmt::format("{} is a list; name an entry by its number, counted from 0, instead of {}", name, word));
+  }
+  const auto index = static_cast<std::size_t>(std::stoul(word));
+  if (index >= list.items.size()) {
+    refuse(where, fmt::format("{} has {} {}, counted from 0; there is no entry {}", name, list.items.size(),
+                              list.items.size() == 1 ? "entry" : "entries", index));
+  }
+  return list.items[index];
+}
+
+}  // namespace
+
+std::string Node::description() const {
+  switch (kind) {
+    case Kind::scalar:
+      return "'" + text + "'";
+    case Kind::list:
+      return "a list";
+    case Kind::map:
+      return "a map";
+    case Kind::null:
+      break;
+  }
+  return "nothing";
+}
+
+const Node* Node::find(const std::string& key) const {
+  for (const Entry& entry : entries) {
+    if (entry.key == key) return &entry.value;
+  }
+  return nullptr;
+}
+
+Node parse_yaml(const std::string& yaml, const std::string& file) {
+  std::vector<YAML::Node> documents;
+  try {
+    documents = YAML::LoadAll(yaml);
+  } catch (const YAML::DeepRecursion& error) {
+    refuse({file, error.mark.line + 1, error.mark.column + 1}, "lists and maps are nested far too deep here");
+  } catch (const YAML::Exception& error) {
+    const bool known = error.mark.line >= 0;
+    refuse({file, known ? error.mark.line + 1 : 0, known ? error.mark.column + 1 : 0}, syntax_sentence(error.msg));
+  }
+  if (documents.size() > 1) {
+    const YAML::Mark mark = documents[1].Mark();
+    refuse({file, std::max(mark.line, 0) + 1, std::max(mark.column, 0) + 1},
+           "a second YAML document starts here; a deck is one document, so remove the line ---");
+  }
+  if (documents.empty()) return {};
+  return TreeBuilder(file).build(documents[0], {file, 1, 1}, 0);
+}
+
+void apply_override(Node& root, const std::string& override_text) {
+  const Location where{"--set " + override_text, 0, 0};
+  const std::size_t equals = override_text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    refuse(where, "an override is written key.path=value, for example solver.newton.tolerance=1e-9");
+  }
+  Node value = parse_yaml(override_text.substr(equals + 1), where.file);
+  place_everywhere(value, where);
+
+  Node* node = &root;
+  std::string name = "the deck";
+  for (const std::string& word : split_path(override_text.substr(0, equals))) {
+    if (word.empty()) refuse(where, "the key's path has an empty part; write it as key.path=value");
+    if (node->kind == Node::Kind::list) {
+      node = &step_into_list(*node, word, name, where);
+    } else if (node->kind == Node::Kind::scalar) {
+      refuse(where, fmt::format("{} is {} and has no keys; set {} itself", name, node->description(), name));
+    } else {
+      if (node->kind == Node::Kind::null) node->location = where;
+      node->kind = Node::Kind::map;
+      const auto found = std::find_if(node->entries.begin(), node->entries.end(),
+                                      [&](const Entry& entry) { return entry.key == word; });
+      if (found != node->entries.end()) {
+        node = &found->value;
+      } else {
+        node->entries.push_back({word, where, Node{}});
+        node = &node->entries.back().value;
+        node->location = where;
+      }
+    }
+    name = word;
+  }
+  *node = std::move(value);
+}
+
+}  // namespace perinox::deck

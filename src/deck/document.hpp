@@ -1,0 +1,38 @@
+#pragma once
+/// YAML as a plain tree in which every node and key knows its place. Nothing here knows the schema.
+#include <string>
+#include <vector>
+
+#include "perinox/deck/location.hpp"
+
+namespace perinox::deck {
+
+struct Entry;
+struct Node {
+  enum class Kind { null, scalar, list, map };
+  Kind kind = Kind::null;
+  Location location;
+  std::string text;     ///< of a scalar
+  bool quoted = false;  ///< a scalar in quotes is text, never a number
+  std::vector<Node> items;
+  std::vector<Entry> entries;  ///< in the file's order; a key written twice is there twice
+
+  /// What a message calls this node: 'abc', a list, a map, nothing.
+  std::string description() const;
+  /// nullptr if there is no such key.
+  const Node* find(const std::string& key) const;
+};
+struct Entry {
+  std::string key;
+  Location location;
+  Node value;
+};
+
+/// Throws InputError for anything that is not one YAML document of reasonable depth and size.
+Node parse_yaml(const std::string& yaml, const std::string& file);
+
+/// Replaces or adds the value at a dotted path: `solver.newton.tolerance=1e-9`, `body.0.spacing=0.1`. The new nodes'
+/// place is the override itself. Throws InputError if the path runs through a scalar or past the end of a list.
+void apply_override(Node& root, const std::string& override_text);
+
+}  // namespace perinox::deck

@@ -1,0 +1,19 @@
+#include "perinox/deck/location.hpp"
+
+#include <fmt/format.h>
+
+#include "perinox/core/error.hpp"
+
+namespace perinox::deck {
+
+std::string Location::text() const {
+  if (line <= 0) return file;
+  return fmt::format("{}:{}:{}", file, line, column);
+}
+
+void refuse(const Location& where, const std::string& sentence) {
+  const std::string place = where.text();
+  throw InputError(place.empty() ? sentence : place + ": " + sentence);
+}
+
+}  // namespace perinox::deck

@@ -1,0 +1,59 @@
+#include "perinox/deck/read.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "check.hpp"
+#include "convert.hpp"
+#include "document.hpp"
+
+namespace perinox::deck {
+namespace {
+
+std::string content_of(const std::string& file) {
+  namespace fs = std::filesystem;
+  const Location where{file, 0, 0};
+  std::error_code error;
+  if (!fs::exists(file, error)) refuse(where, "there is no deck of this name; check the path");
+  if (fs::is_directory(file, error)) refuse(where, "this is a folder; name the deck file in it");
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+  if (!stream.is_open() || stream.bad()) {
+    refuse(where, std::string("the deck cannot be read (") + std::strerror(errno) + "); check its permissions");
+  }
+  return text.str();
+}
+
+/// A deck without a title is called by its file's name.
+Value with_title(const Value& checked, const std::string& file) {
+  if (checked.has("title")) return checked;
+  std::string stem = std::filesystem::path(file).stem().string();
+  if (stem.empty()) stem = "deck";
+  std::vector<std::pair<std::string, Value>> entries{{"title", Value::scalar(stem, checked.location(), false)}};
+  entries.insert(entries.end(), checked.entries().begin(), checked.entries().end());
+  return Value::map(std::move(entries), checked.location(), true);
+}
+
+}  // namespace
+
+Deck read_text(const std::string& yaml, const std::string& file, const Schema& schema,
+               const std::vector<std::string>& overrides) {
+  Node root = parse_yaml(yaml, file);
+  if (root.kind == Node::Kind::null) {
+    refuse({file, 0, 0}, "the deck is empty; it needs at least dimension, body, horizon and materials");
+  }
+  for (const std::string& text : overrides) apply_override(root, text);
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  return convert(with_title(check_against_schema(root, schema, folder.string()), file), file);
+}
+
+Deck read(const std::string& file, const Schema& schema, const std::vector<std::string>& overrides) {
+  return read_text(content_of(file), file, schema, overrides);
+}
+
+}  // namespace perinox::deck

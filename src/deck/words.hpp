@@ -1,0 +1,37 @@
+#pragma once
+/// The deck's word for each value of an enumeration, in the enumeration's order.
+#include <string>
+#include <vector>
+
+#include "perinox/deck/deck.hpp"
+
+namespace perinox::deck::words {
+
+inline const std::vector<std::string> dimension{"3", "plane-strain", "plane-stress"};
+inline const std::vector<std::string> influence{"constant", "inverse", "polynomial"};
+inline const std::vector<std::string> quadrature{"whole", "partial-volume", "taper-inside"};
+inline const std::vector<std::string> tangent_kind{"matrix-free", "assembled"};
+inline const std::vector<std::string> tangent_form{"consistent", "printed"};
+inline const std::vector<std::string> line_search{"backtrack", "full-step"};
+inline const std::vector<std::string> forcing{"eisenstat-walker", "constant"};
+inline const std::vector<std::string> linear_method{"automatic", "cg", "gmres"};
+inline const std::vector<std::string> preconditioner{
+    "automatic", "none", "block-jacobi", "jacobi", "symmetric-gauss-seidel", "chebyshev", "ilu"};
+inline const std::vector<std::string> component{"x", "y", "z"};
+inline const std::vector<std::string> history_kind{"reaction", "displacement", "yielded"};
+inline const std::vector<std::string> field{
+    "displacement", "force",         "dilatation",     "plastic_multiplier", "equivalent_plastic_strain",
+    "damage",       "stored_energy", "weighted_volume"};
+
+/// The enumeration's value for a word that the schema has already accepted.
+template <class Enumeration>
+Enumeration value_of(const std::vector<std::string>& words, const std::string& word) {
+  int index = 0;
+  for (const std::string& candidate : words) {
+    if (candidate == word) break;
+    ++index;
+  }
+  return static_cast<Enumeration>(index);
+}
+
+}  // namespace perinox::deck::words
