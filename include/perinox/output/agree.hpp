@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "perinox/core/communicator.hpp"
+
+namespace perinox::output {
+
+/// Throws RunError on EVERY rank if any rank passes a non-empty sentence; the lowest such rank's sentence wins, so that
+/// all ranks leave together. Collective.
+void agree_on_run_error(const Communicator& communicator, const std::string& sentence);
+
+}  // namespace perinox::output

@@ -1,0 +1,59 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "perinox/core/communicator.hpp"
+#include "perinox/core/types.hpp"
+
+namespace perinox::output {
+
+/// An HDF5 file that all ranks hold open together (MPI-IO). Every member, the destructor included, is collective.
+/// Whatever fails throws RunError on every rank, with the file's path and the reason; HDF5 prints nothing itself.
+/// Datasets are tables of `total` rows, of which each rank writes or reads the rows [first, first + rows).
+class ParallelFile {
+ public:
+  enum class Mode { create, append, read };
+
+  /// Mode create replaces an existing file.
+  ParallelFile(std::string path, const Communicator& communicator, Mode mode);
+  ~ParallelFile();
+  ParallelFile(const ParallelFile&) = delete;
+  ParallelFile& operator=(const ParallelFile&) = delete;
+
+  void make_group(const std::string& name);
+  bool has(const std::string& name) const;
+
+  /// columns 0: dataset [total]; otherwise [total, columns]. values: this rank's rows, row-major.
+  void write_rows(const std::string& dataset, const std::vector<double>& values, GlobalId total, GlobalId first,
+                  int columns = 0);
+  void write_rows(const std::string& dataset, const std::vector<int>& values, GlobalId total, GlobalId first);
+  void write_rows(const std::string& dataset, const std::vector<GlobalId>& values, GlobalId total, GlobalId first);
+  /// This rank's rows of a dataset of `total` rows; another shape is a RunError.
+  std::vector<double> read_rows(const std::string& dataset, GlobalId total, GlobalId first, int rows,
+                                int columns = 0) const;
+
+  /// Attribute of a group or dataset ("/" is the file itself). The same value on every rank.
+  void set_attribute(const std::string& object, const std::string& name, double value);
+  void set_attribute(const std::string& object, const std::string& name, GlobalId value);
+  void set_attribute(const std::string& object, const std::string& name, const std::string& value);
+  void set_attribute(const std::string& object, const std::string& name, const std::vector<std::string>& values);
+  double number_attribute(const std::string& object, const std::string& name) const;
+  std::string text_attribute(const std::string& object, const std::string& name) const;
+
+  /// Everything is on disk and the file is closed when this returns. Without it the destructor closes, silently.
+  void close();
+
+ private:
+  void write_table(const std::string& dataset, const void* values, int rows, GlobalId total, GlobalId first,
+                   int columns, std::int64_t type);
+  void write_attribute(const std::string& object, const std::string& name, std::int64_t type, const void* value,
+                       const std::size_t* count);
+  void agree(bool failed, const std::string& doing) const;
+
+  std::string path_;
+  Communicator communicator_;
+  std::int64_t file_ = -1;  ///< HDF5's hid_t, kept out of this header
+};
+
+}  // namespace perinox::output

@@ -1,0 +1,58 @@
+#pragma once
+/// The force balance as a Thyra model for NOX: F(u) = -(internal + external force) on free unknowns, zero on prescribed
+/// ones; its Jacobian is the tangent. A heavy header: only the Newton room's own translation units include it.
+#include <Thyra_DefaultPreconditioner.hpp>
+#include <Thyra_StateFuncModelEvaluatorBase.hpp>
+#include <Thyra_TpetraThyraWrappers.hpp>
+#include <Tpetra_Vector.hpp>
+#include <string>
+
+#include "perinox/solve/newton.hpp"
+
+namespace perinox::solve {
+
+class EquilibriumModel : public Thyra::StateFuncModelEvaluatorBase<double> {
+ public:
+  EquilibriumModel(const mechanics::Scene& scene, const Boundary& boundary, TangentSystem& system);
+
+  /// The step to be solved: committed state and external force [owned * dimension] stay alive until the next call.
+  void set_step(const mechanics::Committed& committed, const std::vector<double>& external, double t);
+
+  /// Internal force and balance at displacement [owned * dimension]; the trial state is kept.
+  const ForceBalance& evaluate(const double* displacement);
+  const ForceBalance& balance() const { return balance_; }
+  const std::vector<double>& force() const { return force_; }
+  mechanics::Trial& trial() { return trial_; }
+  /// Names the first particle with a force that is not finite, on any rank. Collective.
+  std::string not_finite() const;
+  /// Element-wise sums over the ranks, in place.
+  void sum(std::vector<double>& values) const { scene_.body().communicator.sum(values); }
+  /// Residual below which nothing but rounding is left: force.
+  double rounding_floor() const;
+
+  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_x_space() const override { return space_; }
+  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_f_space() const override { return space_; }
+  Thyra::ModelEvaluatorBase::InArgs<double> getNominalValues() const override { return createInArgs(); }
+  Thyra::ModelEvaluatorBase::InArgs<double> createInArgs() const override;
+  Teuchos::RCP<Thyra::LinearOpBase<double>> create_W_op() const override;
+  Teuchos::RCP<Thyra::PreconditionerBase<double>> create_W_prec() const override;
+
+ private:
+  Thyra::ModelEvaluatorBase::OutArgs<double> createOutArgsImpl() const override;
+  void evalModelImpl(const Thyra::ModelEvaluatorBase::InArgs<double>& in,
+                     const Thyra::ModelEvaluatorBase::OutArgs<double>& out) const override;
+
+  const mechanics::Scene& scene_;
+  const Boundary& boundary_;
+  TangentSystem& system_;
+  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> space_;
+  const mechanics::Committed* committed_ = nullptr;
+  const std::vector<double>* external_ = nullptr;
+  double t_ = 0;
+  bool evaluated_ = false;
+  mechanics::Trial trial_;
+  std::vector<double> force_;
+  ForceBalance balance_;
+};
+
+}  // namespace perinox::solve

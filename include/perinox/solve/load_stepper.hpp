@@ -1,0 +1,65 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "perinox/deck/deck.hpp"
+#include "perinox/mechanics/state.hpp"
+#include "perinox/solve/boundary.hpp"
+#include "perinox/solve/newton.hpp"
+#include "perinox/solve/record.hpp"
+
+namespace perinox::solve {
+
+/// Work and energy since t = 0, over all ranks.
+struct Energies {
+  double stored = 0;
+  double dissipated = 0;
+  double external_work = 0;  ///< of the reactions and the external forces, trapezoidal over each step
+};
+
+/// Drives a scene from t = 0 to steps.end. The only place where a trial state becomes the committed one: after
+/// convergence. A failed step is halved, and grown again after a success.
+class LoadStepper {
+ public:
+  /// Collective. Throws InputError for a scene that cannot be run.
+  LoadStepper(const deck::Deck& deck, const mechanics::Scene& scene);
+
+  /// Runs to the end. Throws RunError with the reason if it cannot go on; every step committed before has been handed to
+  /// the observer.
+  void run(Observer& observer);
+
+  const mechanics::Committed& committed() const { return committed_; }
+  const Boundary& boundary() const { return boundary_; }
+  Newton& newton() { return newton_; }
+  const Energies& energies() const { return energies_; }
+  /// Internal force at the committed state. [owned * dimension], force.
+  const std::vector<double>& force() const { return force_; }
+
+ private:
+  struct Clock;
+  std::vector<double> first_guess(double t) const;
+  void commit(mechanics::Trial&& trial, std::vector<double>&& force);
+  StepRecord record(const NewtonResult& result) const;
+  std::vector<double> history() const;
+  double entry_value(const deck::HistoryEntry& entry) const;
+  std::vector<Field> fields() const;
+
+  const deck::Deck& deck_;
+  const mechanics::Scene& scene_;
+  Boundary boundary_;
+  Newton newton_;
+  mechanics::Committed committed_;
+  // The committed step before, for extrapolation.
+  double previous_t_ = 0;
+  std::vector<double> previous_displacement_;
+  bool has_previous_ = false;
+
+  Energies energies_;
+  std::vector<double> force_, external_, dilatation_, stored_energy_;
+  std::vector<std::string> history_names_;
+  std::vector<std::vector<double>> history_values_;  ///< point history spread over all owned particles
+  int step_ = 0;
+};
+
+}  // namespace perinox::solve

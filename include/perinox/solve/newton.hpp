@@ -1,0 +1,54 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "perinox/deck/deck.hpp"
+#include "perinox/mechanics/internal_force.hpp"
+#include "perinox/solve/boundary.hpp"
+#include "perinox/solve/record.hpp"
+#include "perinox/solve/tangent_operators.hpp"
+
+namespace perinox::solve {
+
+/// Sizes of the out-of-balance force and of what it is measured against; the same on every rank.
+struct ForceBalance {
+  double residual = 0;   ///< 2-norm of internal + external force over the free unknowns
+  double reaction = 0;   ///< 2-norm of it over the prescribed unknowns
+  double external = 0;   ///< 2-norm of the external force
+  double displacement = 0;  ///< 2-norm of the displacement
+  bool finite = true;
+
+  /// Residual over the larger of reaction and external force; 0 where all are zero.
+  double relative() const;
+};
+
+struct NewtonResult {
+  bool converged = false;
+  std::string reason;  ///< a sentence, where not converged
+  int newton_iterations = 0;
+  int linear_iterations = 0;
+};
+
+/// One load step: NOX's Newton-Raphson on the force balance, Belos for the linear systems, return mapping inside every
+/// evaluation. Holds the tangent system across steps. Collective throughout.
+class Newton {
+ public:
+  Newton(const deck::Deck& deck, const mechanics::Scene& scene, const Boundary& boundary);
+  ~Newton();
+
+  /// Solves for equilibrium at load parameter t from the committed state. `step` only labels the records. On
+  /// convergence `trial` is the state to commit and `force` [owned * dimension] its internal force.
+  /// `guess` [owned * dimension] starts the free unknowns, or is empty.
+  NewtonResult solve(const mechanics::Committed& committed, double t, int step, const std::vector<double>& guess,
+                     Observer& observer, mechanics::Trial& trial, std::vector<double>& force);
+
+  const TangentSystem& system() const;
+  TangentSystem& system();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace perinox::solve

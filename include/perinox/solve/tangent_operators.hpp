@@ -1,0 +1,58 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "perinox/core/tpetra.hpp"
+#include "perinox/mechanics/assembled_tangent.hpp"
+#include "perinox/mechanics/tangent.hpp"
+
+namespace perinox::solve {
+
+/// The linear system of one scene: the tangent restricted to the free unknowns (prescribed ones carry a diagonal and are
+/// coupled to nothing, which keeps it symmetric), as an operator, and its preconditioner. Both are updated in place.
+class TangentSystem {
+ public:
+  /// prescribed: [local * dimension], ghosts up to date. Collective.
+  TangentSystem(const mechanics::Scene& scene, const std::vector<char>& prescribed, const deck::Solver& solver);
+  ~TangentSystem();
+
+  /// Linearises at displacement [owned * dimension]. Collective.
+  void update(const mechanics::Committed& committed, const double* displacement);
+  /// Brings the preconditioner to the tangent of the last update(). Collective.
+  void update_preconditioner();
+
+  const mechanics::Tangent& tangent() const { return tangent_; }
+  Teuchos::RCP<tpetra::Operator> linear_operator() const { return operator_; }
+  /// Null if none is asked for.
+  Teuchos::RCP<tpetra::Operator> preconditioner() const { return preconditioner_; }
+  Teuchos::RCP<const tpetra::Map> map() const { return map_; }
+  /// True if conjugate gradients may be used.
+  bool symmetric() const;
+  /// Root mean square of the diagonal of K over the free unknowns, force a length: the scale of stiffness. Set by update().
+  double stiffness_scale() const { return stiffness_scale_; }
+  /// Products K x so far.
+  long long products() const;
+  /// "block-jacobi", ...: what automatic chose.
+  std::string preconditioner_name() const;
+  /// Stored entries of the assembled matrix over all ranks; 0 when matrix-free.
+  long long nonzeros() const { return assembled_ ? assembled_->nonzeros() : 0; }
+
+ private:
+  class Masked;
+  class BlockJacobi;
+  struct Sparse;
+  const mechanics::Scene& scene_;
+  std::vector<char> prescribed_;
+  deck::Solver solver_;
+  mechanics::Tangent tangent_;
+  Teuchos::RCP<const tpetra::Map> map_;
+  std::unique_ptr<mechanics::AssembledTangent> assembled_;
+  Teuchos::RCP<Masked> masked_;
+  Teuchos::RCP<BlockJacobi> block_jacobi_;
+  std::unique_ptr<Sparse> sparse_;
+  Teuchos::RCP<tpetra::Operator> operator_, preconditioner_;
+  std::vector<double> blocks_;
+  double stiffness_scale_ = 0;
+};
+
+}  // namespace perinox::solve

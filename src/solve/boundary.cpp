@@ -1,0 +1,122 @@
+#include "perinox/solve/boundary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "perinox/core/error.hpp"
+
+namespace perinox::solve {
+
+namespace {
+constexpr const char* axis = "xyz";
+}
+
+Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scene_(scene) {
+  const body::Body& body = scene.body();
+  const int d = body.dimension;
+  std::vector<double> mark(scene.local_unknowns(), 0.0);
+  std::vector<int> prescriber(scene.owned_unknowns(), -1);
+
+  for (const deck::Load& load : deck.boundary) {
+    Entry entry{&load, &body.sets.at(load.set), std::nullopt, 0};
+    const int number = static_cast<int>(entries_.size());
+    long long twice = 0;
+    if (load.kind == deck::LoadKind::displacement) {
+      if (load.table) entry.table.emplace(*load.table, load.table_location, body, *entry.set);
+      for (int c = 0; c < d; ++c) {
+        if (!load.table && !load.component[static_cast<std::size_t>(c)]) continue;
+        for (const LocalIndex i : *entry.set) {
+          const auto unknown = static_cast<std::size_t>(i) * d + c;
+          mark[unknown] = 1;
+          if (prescriber[unknown] >= 0 && prescriber[unknown] != number) ++twice;
+          prescriber[unknown] = number;
+        }
+      }
+    } else {
+      has_forces_ = true;
+      for (const LocalIndex i : *entry.set) entry.set_volume += body.volume[i];
+      entry.set_volume = body.communicator.sum(entry.set_volume);
+    }
+    twice = body.communicator.sum(twice);
+    if (twice > 0)
+      remarks_.push_back(fmt::format("{}: prescribes {} unknowns that an earlier entry prescribes too; this later one "
+                                     "counts",
+                                     load.location.text(), twice));
+    entries_.push_back(std::move(entry));
+  }
+
+  body.halo.update_ghosts(mark.data(), d);
+  prescribed_.assign(mark.size(), 0);
+  std::transform(mark.begin(), mark.end(), prescribed_.begin(), [](double m) { return static_cast<char>(m != 0); });
+  const auto mine = std::count(prescribed_.begin(), prescribed_.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()), 1);
+  prescribed_count_ = body.communicator.sum(static_cast<long long>(mine));
+  free_count_ = body.total * d - prescribed_count_;
+  if (prescribed_count_ == 0)
+    throw InputError(fmt::format("{}: nothing holds the body: no displacement is prescribed anywhere; add a boundary "
+                                 "entry with displacement",
+                                 deck.file));
+  check_finite(deck.steps.count > 0 ? deck.steps.end / deck.steps.count : deck.steps.end);
+  check_finite(deck.steps.end);
+}
+
+double Boundary::value(const Entry& entry, int component, LocalIndex i, double t) const {
+  const auto& expression = entry.load->component[static_cast<std::size_t>(component)];
+  if (!expression) return 0;
+  const deck::Point x = scene_.body().position3(i);
+  return (*expression)(x[0], x[1], x[2], t);
+}
+
+void Boundary::check_finite(double t) const {
+  std::string sentence;
+  for (const Entry& entry : entries_) {
+    if (entry.table) continue;
+    for (int c = 0; c < scene_.dimension() && sentence.empty(); ++c)
+      for (const LocalIndex i : *entry.set) {
+        if (std::isfinite(value(entry, c, i, t))) continue;
+        const deck::Point x = scene_.body().position3(i);
+        sentence = fmt::format("{}: the {} component is not a finite number at ({:g}, {:g}, {:g}) for t = {:g}; check "
+                               "the formula {}",
+                               entry.load->location.text(), axis[c], x[0], x[1], x[2], t,
+                               entry.load->component[static_cast<std::size_t>(c)]->text());
+        break;
+      }
+  }
+  scene_.body().communicator.agree_on_input_error(sentence);
+}
+
+void Boundary::impose(double t, double* displacement) const {
+  const int d = scene_.dimension();
+  for (const Entry& entry : entries_) {
+    if (entry.load->kind != deck::LoadKind::displacement) continue;
+    for (std::size_t k = 0; k < entry.set->size(); ++k) {
+      const LocalIndex i = (*entry.set)[k];
+      double* u = displacement + static_cast<std::size_t>(i) * d;
+      if (entry.table) {
+        entry.table->evaluate(k, t, u);
+        continue;
+      }
+      for (int c = 0; c < d; ++c)
+        if (entry.load->component[static_cast<std::size_t>(c)]) u[c] = value(entry, c, i, t);
+    }
+  }
+}
+
+void Boundary::external_force(double t, double* force) const {
+  const int d = scene_.dimension();
+  std::fill(force, force + scene_.owned_unknowns(), 0.0);
+  for (const Entry& entry : entries_) {
+    if (entry.load->kind == deck::LoadKind::displacement) continue;
+    const bool total = entry.load->kind == deck::LoadKind::force;
+    for (int c = 0; c < d; ++c) {
+      if (!entry.load->component[static_cast<std::size_t>(c)]) continue;
+      for (const LocalIndex i : *entry.set) {
+        const double share = total ? scene_.body().volume[i] / entry.set_volume : scene_.body().volume[i];
+        force[static_cast<std::size_t>(i) * d + c] += share * value(entry, c, i, t);
+      }
+    }
+  }
+}
+
+}  // namespace perinox::solve

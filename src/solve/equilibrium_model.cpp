@@ -1,0 +1,112 @@
+#include "perinox/solve/equilibrium_model.hpp"
+
+#include <Thyra_TpetraLinearOp.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace perinox::solve {
+
+namespace {
+using Converter = Thyra::TpetraOperatorVectorExtraction<double, LocalIndex, GlobalId>;
+}
+
+double ForceBalance::relative() const {
+  const double scale = std::max(reaction, external);
+  if (scale > 0) return residual / scale;
+  return residual > 0 ? std::numeric_limits<double>::infinity() : 0;
+}
+
+EquilibriumModel::EquilibriumModel(const mechanics::Scene& scene, const Boundary& boundary, TangentSystem& system)
+    : scene_(scene),
+      boundary_(boundary),
+      system_(system),
+      space_(Thyra::createVectorSpace<double, LocalIndex, GlobalId>(system.map())),
+      force_(scene.owned_unknowns()) {}
+
+void EquilibriumModel::set_step(const mechanics::Committed& committed, const std::vector<double>& external, double t) {
+  committed_ = &committed;
+  external_ = &external;
+  t_ = t;
+  evaluated_ = false;
+}
+
+const ForceBalance& EquilibriumModel::evaluate(const double* displacement) {
+  // NOX, the status test and the predictor ask at the same point in turn: answer from the last evaluation.
+  const bool same = evaluated_ && std::equal(displacement, displacement + force_.size(), trial_.displacement.begin());
+  if (!scene_.body().communicator.any(!same)) return balance_;
+  evaluated_ = true;
+  mechanics::internal_force(scene_, *committed_, displacement, trial_, force_.data());
+  trial_.t = t_;
+  std::vector<double> squares(4, 0.0);
+  for (std::size_t u = 0; u < force_.size(); ++u) {
+    const double sum = force_[u] + (*external_)[u];
+    squares[boundary_.prescribed()[u] ? 1 : 0] += sum * sum;
+    squares[2] += (*external_)[u] * (*external_)[u];
+    squares[3] += displacement[u] * displacement[u];
+  }
+  scene_.body().communicator.sum(squares);
+  balance_ = {std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2]), std::sqrt(squares[3]), true};
+  balance_.finite = std::isfinite(squares[0] + squares[1] + squares[3]);
+  return balance_;
+}
+
+std::string EquilibriumModel::not_finite() const {
+  const std::string mine = mechanics::first_not_finite(scene_, trial_, force_.data());
+  const Communicator& ranks = scene_.body().communicator;
+  const long long speaker = -ranks.max(mine.empty() ? -static_cast<long long>(ranks.size()) : -static_cast<long long>(ranks.rank()));
+  if (speaker == ranks.size()) return "the force balance is not finite";
+  auto length = static_cast<int>(mine.size());
+  MPI_Bcast(&length, 1, MPI_INT, static_cast<int>(speaker), ranks.mpi());
+  std::string text = mine;
+  text.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(text.data(), length, MPI_CHAR, static_cast<int>(speaker), ranks.mpi());
+  return text;
+}
+
+double EquilibriumModel::rounding_floor() const {
+  return 64 * std::numeric_limits<double>::epsilon() * system_.stiffness_scale() * balance_.displacement;
+}
+
+Thyra::ModelEvaluatorBase::InArgs<double> EquilibriumModel::createInArgs() const {
+  Thyra::ModelEvaluatorBase::InArgsSetup<double> in;
+  in.setModelEvalDescription("perinox force balance");
+  in.setSupports(Thyra::ModelEvaluatorBase::IN_ARG_x);
+  return std::move(in);
+}
+
+Thyra::ModelEvaluatorBase::OutArgs<double> EquilibriumModel::createOutArgsImpl() const {
+  Thyra::ModelEvaluatorBase::OutArgsSetup<double> out;
+  out.setModelEvalDescription("perinox force balance");
+  out.setSupports(Thyra::ModelEvaluatorBase::OUT_ARG_f);
+  out.setSupports(Thyra::ModelEvaluatorBase::OUT_ARG_W_op);
+  out.setSupports(Thyra::ModelEvaluatorBase::OUT_ARG_W_prec);
+  return std::move(out);
+}
+
+Teuchos::RCP<Thyra::LinearOpBase<double>> EquilibriumModel::create_W_op() const {
+  return Thyra::createLinearOp<double, LocalIndex, GlobalId>(system_.linear_operator());
+}
+
+Teuchos::RCP<Thyra::PreconditionerBase<double>> EquilibriumModel::create_W_prec() const {
+  if (system_.preconditioner().is_null()) return Teuchos::null;
+  const auto op = Thyra::createLinearOp<double, LocalIndex, GlobalId>(system_.preconditioner());
+  return Teuchos::rcp(new Thyra::DefaultPreconditioner<double>(op));
+}
+
+void EquilibriumModel::evalModelImpl(const Thyra::ModelEvaluatorBase::InArgs<double>& in,
+                                     const Thyra::ModelEvaluatorBase::OutArgs<double>& out) const {
+  const auto x = Converter::getConstTpetraVector(in.get_x());
+  const auto displacement = x->getLocalViewHost(Tpetra::Access::ReadOnly);
+  if (const auto f = out.get_f(); !f.is_null()) {
+    const_cast<EquilibriumModel*>(this)->evaluate(displacement.data());
+    const auto residual = Converter::getTpetraVector(f)->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t u = 0; u < force_.size(); ++u)
+      residual(u, 0) = boundary_.prescribed()[u] ? 0 : -(force_[u] + (*external_)[u]);
+  }
+  // NOX asks for W_op first and for W_prec at the same x afterwards.
+  if (!out.get_W_op().is_null()) system_.update(*committed_, displacement.data());
+  if (!out.get_W_prec().is_null()) system_.update_preconditioner();
+}
+
+}  // namespace perinox::solve

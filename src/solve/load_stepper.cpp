@@ -1,0 +1,197 @@
+#include "perinox/solve/load_stepper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "perinox/core/error.hpp"
+
+namespace perinox::solve {
+
+namespace {
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+}  // namespace
+
+/// Where the run is on the load axis. Whole steps end at t = end * k/count exactly; a cut step never passes such a t.
+struct LoadStepper::Clock {
+  explicit Clock(const deck::Steps& steps) : steps_(steps), size_(whole()) {}
+
+  double whole() const { return steps_.count > 0 ? steps_.end / steps_.count : 0; }
+  bool finished() const { return done_ >= steps_.count; }
+  /// End of the step to try next from `t`.
+  double next(double t) const {
+    const double target = steps_.end * (done_ + 1) / steps_.count;
+    // A remainder shorter than a thousandth of the step joins it.
+    return t + size_ * 1.001 >= target ? target : t + size_;
+  }
+  void accept(double t) {
+    if (t >= steps_.end * (done_ + 1) / steps_.count) ++done_;
+    if (cuts_ == 0) return;
+    --cuts_;
+    size_ *= 2;
+  }
+  /// False if the step may not be cut again.
+  bool cut() {
+    if (!steps_.adaptive || cuts_ >= steps_.max_cuts) return false;
+    ++cuts_;
+    size_ /= 2;
+    return true;
+  }
+
+ private:
+  const deck::Steps& steps_;
+  double size_;
+  int done_ = 0;
+  int cuts_ = 0;
+};
+
+LoadStepper::LoadStepper(const deck::Deck& deck, const mechanics::Scene& scene)
+    : deck_(deck),
+      scene_(scene),
+      boundary_(deck, scene),
+      newton_(deck, scene, boundary_),
+      committed_(scene),
+      previous_displacement_(scene.owned_unknowns(), 0.0),
+      force_(scene.owned_unknowns(), 0.0),
+      external_(scene.owned_unknowns(), 0.0),
+      dilatation_(static_cast<std::size_t>(scene.owned()), 0.0),
+      stored_energy_(static_cast<std::size_t>(scene.owned()), 0.0),
+      history_names_(scene.point_history_names()),
+      history_values_(history_names_.size(), std::vector<double>(static_cast<std::size_t>(scene.owned()), 0.0)) {}
+
+void LoadStepper::run(Observer& observer) {
+  Clock clock(deck_.steps);
+  const double begin = now();
+  while (!clock.finished()) {
+    const double step_begin = now();
+    const double t = clock.next(committed_.t());
+    mechanics::Trial trial;
+    std::vector<double> force;
+    NewtonResult result;
+    result = newton_.solve(committed_, t, step_ + 1, first_guess(t), observer, trial, force);
+    if (!result.converged) {
+      observer.step_rejected(committed_.t(), t, result.reason);
+      if (!clock.cut())
+        throw RunError(fmt::format("stopped at t = {:.10g} of {:g}, after {} converged steps: the step to t = {:.10g} does "
+                                   "not converge{}; {}",
+                                   committed_.t(), deck_.steps.end, step_, t,
+                                   deck_.steps.adaptive ? " at its smallest size" : " and steps.adaptive is false",
+                                   result.reason));
+      continue;
+    }
+    ++step_;
+    clock.accept(t);
+    commit(std::move(trial), std::move(force));
+    StepRecord row = record(result);
+    row.seconds = now() - step_begin;
+    row.remaining_seconds = (now() - begin) * (deck_.steps.end - t) / t;
+    row.last = clock.finished();
+    observer.step_committed(row);
+  }
+}
+
+std::vector<double> LoadStepper::first_guess(double t) const {
+  if (!has_previous_) return {};
+  // The last increment again, in proportion: nearly right wherever the loading goes on as before.
+  const double ratio = (t - committed_.t()) / (committed_.t() - previous_t_);
+  std::vector<double> guess(scene_.owned_unknowns());
+  for (std::size_t u = 0; u < guess.size(); ++u)
+    guess[u] = committed_.displacement()[u] + ratio * (committed_.displacement()[u] - previous_displacement_[u]);
+  return guess;
+}
+
+void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) {
+  std::vector<double> external(scene_.owned_unknowns());
+  boundary_.external_force(trial.t, external.data());
+  // Outside forces on the body: the given ones, and on prescribed unknowns whatever balances the internal force.
+  double work = 0;
+  for (std::size_t u = 0; u < force.size(); ++u) {
+    const double before = boundary_.prescribed()[u] ? -force_[u] : external_[u];
+    const double after = boundary_.prescribed()[u] ? -force[u] : external[u];
+    work += 0.5 * (before + after) * (trial.displacement[u] - committed_.displacement()[u]);
+  }
+  std::vector<double> sums{work, trial.stored, trial.dissipated};
+  scene_.body().communicator.sum(sums);
+  energies_.external_work += sums[0];
+  energies_.stored = sums[1];
+  energies_.dissipated += sums[2];
+
+  previous_t_ = committed_.t();
+  std::copy(committed_.displacement().begin(),
+            committed_.displacement().begin() + static_cast<std::ptrdiff_t>(previous_displacement_.size()),
+            previous_displacement_.begin());
+  has_previous_ = true;
+  dilatation_ = std::move(trial.dilatation);
+  stored_energy_ = std::move(trial.stored_energy);
+  committed_ = mechanics::Committed(std::move(trial));
+  force_ = std::move(force);
+  external_ = std::move(external);
+
+  for (LocalIndex i = 0; i < scene_.owned(); ++i) {
+    const std::vector<std::string> names = scene_.material(i).history().point;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const auto place = std::find(history_names_.begin(), history_names_.end(), names[k]) - history_names_.begin();
+      history_values_[static_cast<std::size_t>(place)][static_cast<std::size_t>(i)] =
+          committed_.history(scene_, i).point[k];
+    }
+  }
+}
+
+StepRecord LoadStepper::record(const NewtonResult& result) const {
+  StepRecord row;
+  row.step = step_;
+  row.t = committed_.t();
+  row.newton_iterations = result.newton_iterations;
+  row.linear_iterations = result.linear_iterations;
+  row.stored_energy = energies_.stored;
+  row.dissipated_energy = energies_.dissipated;
+  row.external_work = energies_.external_work;
+  row.end = deck_.steps.end;
+  row.history = history();
+  row.fields = fields();
+  return row;
+}
+
+std::vector<double> LoadStepper::history() const {
+  std::vector<double> values;
+  for (const deck::HistoryEntry& entry : deck_.history) values.push_back(entry_value(entry));
+  return values;
+}
+
+double LoadStepper::entry_value(const deck::HistoryEntry& entry) const {
+  const std::vector<LocalIndex>& set = scene_.body().sets.at(entry.set);
+  const int d = scene_.dimension();
+  std::vector<double> sums(2, 0.0);
+  for (const LocalIndex i : set) {
+    const auto unknown = static_cast<std::size_t>(i) * d + entry.component;
+    sums[1] += 1;
+    if (entry.kind == deck::HistoryKind::reaction) {
+      sums[0] -= force_[unknown] + external_[unknown];  // what the support does to the body
+    } else if (entry.kind == deck::HistoryKind::displacement) {
+      sums[0] += committed_.displacement()[unknown];
+    } else {
+      for (std::size_t k = 0; k < history_names_.size(); ++k)
+        if (history_names_[k] == "plastic_multiplier" && history_values_[k][static_cast<std::size_t>(i)] > 0) sums[0] += 1;
+    }
+  }
+  scene_.body().communicator.sum(sums);
+  return entry.kind == deck::HistoryKind::reaction ? sums[0] : sums[0] / sums[1];
+}
+
+std::vector<Field> LoadStepper::fields() const {
+  std::vector<Field> all{{"displacement", scene_.dimension(), committed_.displacement().data()},
+                         {"force", scene_.dimension(), force_.data()},
+                         {"dilatation", 1, dilatation_.data()},
+                         {"stored_energy", 1, stored_energy_.data()},
+                         {"damage", 1, scene_.bonds().damage.data()},
+                         {"weighted_volume", 1, scene_.bonds().weighted_volume.data()}};
+  for (std::size_t k = 0; k < history_names_.size(); ++k)
+    all.push_back({history_names_[k], 1, history_values_[k].data()});
+  return all;
+}
+
+}  // namespace perinox::solve

@@ -1,0 +1,218 @@
+#include "perinox/solve/tangent_operators.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <Ifpack2_Factory.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_MultiVector.hpp>
+#include <Tpetra_Operator.hpp>
+#include <cmath>
+
+namespace perinox::solve {
+
+namespace {
+
+/// Base of our operators: Tpetra's calling convention around "y = A x" on the owned unknowns of one vector.
+class OwnedOperator : public tpetra::Operator {
+ public:
+  explicit OwnedOperator(Teuchos::RCP<const tpetra::Map> map) : map_(std::move(map)) {}
+  Teuchos::RCP<const tpetra::Map> getDomainMap() const override { return map_; }
+  Teuchos::RCP<const tpetra::Map> getRangeMap() const override { return map_; }
+  bool hasTransposeApply() const override { return false; }
+
+  void apply(const tpetra::MultiVector& x, tpetra::MultiVector& y, Teuchos::ETransp, double alpha,
+             double beta) const override {
+    result_.resize(map_->getNodeNumElements());
+    for (std::size_t k = 0; k < x.getNumVectors(); ++k) {
+      const auto from = x.getVector(k)->getLocalViewHost(Tpetra::Access::ReadOnly);
+      multiply(from.data(), result_.data());
+      const auto to = y.getVectorNonConst(k)->getLocalViewHost(Tpetra::Access::ReadWrite);
+      for (std::size_t u = 0; u < result_.size(); ++u)
+        to(u, 0) = beta == 0 ? alpha * result_[u] : alpha * result_[u] + beta * to(u, 0);
+    }
+  }
+  virtual void multiply(const double* x, double* y) const = 0;
+
+ private:
+  Teuchos::RCP<const tpetra::Map> map_;
+  mutable std::vector<double> result_;
+};
+
+}  // namespace
+
+/// K on the free unknowns, a diagonal on the prescribed ones.
+class TangentSystem::Masked : public OwnedOperator {
+ public:
+  Masked(Teuchos::RCP<const tpetra::Map> map, const mechanics::Tangent& tangent, const std::vector<char>& prescribed)
+      : OwnedOperator(std::move(map)), tangent_(tangent), prescribed_(prescribed) {}
+
+  void multiply(const double* x, double* y) const override {
+    const std::size_t unknowns = tangent_.scene().owned_unknowns();
+    free_.assign(x, x + unknowns);
+    for (std::size_t u = 0; u < unknowns; ++u)
+      if (prescribed_[u]) free_[u] = 0;
+    tangent_.apply(free_.data(), y);
+    for (std::size_t u = 0; u < unknowns; ++u)
+      if (prescribed_[u]) y[u] = diagonal * x[u];
+    ++products;
+  }
+
+  double diagonal = 1;
+  mutable long long products = 0;
+
+ private:
+  const mechanics::Tangent& tangent_;
+  const std::vector<char>& prescribed_;
+  mutable std::vector<double> free_;
+};
+
+/// Inverse of every particle's own diagonal block of K, prescribed unknowns left out.
+class TangentSystem::BlockJacobi : public OwnedOperator {
+ public:
+  BlockJacobi(Teuchos::RCP<const tpetra::Map> map, int dimension, const std::vector<char>& prescribed)
+      : OwnedOperator(std::move(map)), d_(dimension), prescribed_(prescribed) {}
+
+  void set(const std::vector<double>& blocks, double diagonal) {
+    const std::size_t size = static_cast<std::size_t>(d_) * d_;
+    inverse_.resize(blocks.size());
+    for (std::size_t i = 0; i < blocks.size() / size; ++i) {
+      Eigen::MatrixXd block =
+          Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(&blocks[i * size], d_, d_);
+      for (int c = 0; c < d_; ++c) {
+        if (!prescribed_[i * d_ + c]) continue;
+        block.row(c).setZero();
+        block.col(c).setZero();
+        block(c, c) = diagonal;
+      }
+      // A preconditioner for conjugate gradients must be definite: where a softened block is not, its diagonal's
+      // absolute values stand in.
+      if (Eigen::LLT<Eigen::MatrixXd>(block).info() != Eigen::Success)
+        block = block.diagonal().cwiseAbs().cwiseMax(1e-3 * diagonal).asDiagonal().toDenseMatrix();
+      Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(&inverse_[i * size], d_, d_) =
+          block.inverse();
+    }
+  }
+
+  void multiply(const double* x, double* y) const override {
+    for (std::size_t i = 0; i < inverse_.size() / (d_ * d_); ++i)
+      for (int c = 0; c < d_; ++c) {
+        double sum = 0;
+        for (int e = 0; e < d_; ++e) sum += inverse_[(i * d_ + c) * d_ + e] * x[i * d_ + e];
+        y[i * d_ + c] = sum;
+      }
+  }
+
+ private:
+  int d_;
+  const std::vector<char>& prescribed_;
+  std::vector<double> inverse_;
+};
+
+/// An Ifpack2 preconditioner of the assembled matrix.
+struct TangentSystem::Sparse {
+  Teuchos::RCP<Ifpack2::Preconditioner<double, LocalIndex, GlobalId>> preconditioner;
+  bool initialised = false;
+};
+
+namespace {
+
+std::string name_of(deck::Preconditioner kind) {
+  switch (kind) {
+    case deck::Preconditioner::none: return "none";
+    case deck::Preconditioner::block_jacobi: return "block-jacobi";
+    case deck::Preconditioner::jacobi: return "jacobi";
+    case deck::Preconditioner::symmetric_gauss_seidel: return "symmetric-gauss-seidel";
+    case deck::Preconditioner::chebyshev: return "chebyshev";
+    case deck::Preconditioner::ilu: return "ilu";
+    case deck::Preconditioner::automatic: break;
+  }
+  return "automatic";
+}
+
+Teuchos::RCP<Ifpack2::Preconditioner<double, LocalIndex, GlobalId>> make_sparse(
+    deck::Preconditioner kind, const Teuchos::RCP<tpetra::Matrix>& matrix) {
+  std::string type = "RELAXATION";
+  Teuchos::ParameterList parameters;
+  if (kind == deck::Preconditioner::jacobi) {
+    parameters.set("relaxation: type", "Jacobi");
+  } else if (kind == deck::Preconditioner::symmetric_gauss_seidel) {
+    parameters.set("relaxation: type", "Symmetric Gauss-Seidel");
+  } else if (kind == deck::Preconditioner::chebyshev) {
+    type = "CHEBYSHEV";
+    parameters.set("chebyshev: degree", 3);
+    parameters.set("chebyshev: ratio eigenvalue", 30.0);
+  } else {
+    type = "SCHWARZ";  // additive Schwarz without overlap keeps ILU(0) of a symmetric matrix symmetric
+    parameters.set("schwarz: overlap level", 0);
+    parameters.set("schwarz: inner preconditioner name", "RILUK");
+    parameters.sublist("schwarz: inner preconditioner parameters").set("fact: iluk level-of-fill", 0.0);
+  }
+  auto made = Ifpack2::Factory::create<Tpetra::RowMatrix<double, LocalIndex, GlobalId>>(type, matrix);
+  made->setParameters(parameters);
+  return made;
+}
+
+}  // namespace
+
+TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<char>& prescribed,
+                             const deck::Solver& solver)
+    : scene_(scene),
+      prescribed_(prescribed),
+      solver_(solver),
+      tangent_(scene),
+      map_(mechanics::unknowns_map(scene.body())),
+      blocks_(scene.owned_unknowns() * static_cast<std::size_t>(scene.dimension())) {
+  const bool assembled = solver_.tangent == deck::TangentKind::assembled;
+  deck::Preconditioner& kind = solver_.linear.preconditioner;
+  if (kind == deck::Preconditioner::automatic)
+    kind = assembled ? deck::Preconditioner::symmetric_gauss_seidel : deck::Preconditioner::block_jacobi;
+  masked_ = Teuchos::rcp(new Masked(map_, tangent_, prescribed_));
+  operator_ = masked_;
+  if (assembled) {
+    assembled_ = std::make_unique<mechanics::AssembledTangent>(scene, prescribed_);
+    operator_ = assembled_->matrix();
+  }
+  if (kind == deck::Preconditioner::block_jacobi) {
+    block_jacobi_ = Teuchos::rcp(new BlockJacobi(map_, scene.dimension(), prescribed_));
+    preconditioner_ = block_jacobi_;
+  } else if (kind != deck::Preconditioner::none) {
+    sparse_ = std::make_unique<Sparse>();
+    sparse_->preconditioner = make_sparse(kind, assembled_->matrix());
+    preconditioner_ = sparse_->preconditioner;
+  }
+}
+
+TangentSystem::~TangentSystem() = default;
+
+bool TangentSystem::symmetric() const { return scene_.symmetric(); }
+long long TangentSystem::products() const { return masked_->products; }
+std::string TangentSystem::preconditioner_name() const { return name_of(solver_.linear.preconditioner); }
+
+void TangentSystem::update(const mechanics::Committed& committed, const double* displacement) {
+  tangent_.linearise(committed, displacement, solver_.form);
+  tangent_.diagonal_blocks(blocks_.data());
+  const int d = scene_.dimension();
+  double square = 0, count = 0;
+  for (std::size_t u = 0; u < scene_.owned_unknowns(); ++u) {
+    if (prescribed_[u]) continue;
+    const double value = blocks_[u * d + u % d];
+    square += value * value;
+    count += 1;
+  }
+  std::vector<double> sums{square, count};
+  scene_.body().communicator.sum(sums);
+  stiffness_scale_ = sums[1] > 0 && sums[0] > 0 ? std::sqrt(sums[0] / sums[1]) : 1;
+  masked_->diagonal = stiffness_scale_;
+  if (assembled_) assembled_->fill(tangent_, stiffness_scale_);
+}
+
+void TangentSystem::update_preconditioner() {
+  if (block_jacobi_) block_jacobi_->set(blocks_, stiffness_scale_);
+  if (!sparse_) return;
+  if (!sparse_->initialised) sparse_->preconditioner->initialize();
+  sparse_->initialised = true;
+  sparse_->preconditioner->compute();
+}
+
+}  // namespace perinox::solve
