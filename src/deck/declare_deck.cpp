@@ -17,10 +17,9 @@ Key declare_horizon() {
 Key declare_materials(const std::vector<ModelDeclaration>& models) {
   std::vector<std::string> names;
   for (const ModelDeclaration& model : models) names.push_back(model.name);
-  Key element = map_key(
-      "", "One material; its other keys are those of its model.",
-      {required(word_key("model", names, "", "The material model, which decides the other keys.")),
-       positive_key("density", "mass/volume", "Mass density; needed only by dynamics, ignored in quasi-static runs.")});
+  Key element = map_key("", "One material; its other keys are those of its model.",
+                        {required(word_key("model", names, "", "The material model, which decides the other keys.")),
+                         positive_key("density", "mass/volume", "Mass density; needed only by dynamics.")});
   element.place = "a material";
   element.picks_model = true;
   Key key;

@@ -1,0 +1,32 @@
+#pragma once
+/// The schema's keys in words, for `perinox help` and the reference page.
+#include <string>
+#include <vector>
+
+#include "perinox/deck/schema.hpp"
+
+namespace perinox::deck {
+
+/// One key and where it is: `path` is dotted, list entries and user-chosen names left out; a material's own keys carry
+/// their model's name (`materials.elastic.bulk_modulus`), which `path_without_model` leaves out.
+struct DescribedKey {
+  std::string path;
+  std::string path_without_model;
+  const Key* key = nullptr;
+};
+
+/// Every key of the deck, outer before inner. Shapes within shapes are listed once.
+std::vector<DescribedKey> every_key(const Schema& schema);
+/// The keys inside `key`, relative to it, not entering definitions it refers to.
+std::vector<DescribedKey> keys_inside(const Key& key);
+
+/// "number", "list of words: a, b", "exactly one of box, cylinder, ...".
+std::string type_text(const Key& key, const Schema& schema);
+/// "length", "dimensionless", or "" for what has no unit.
+std::string unit_text(const Key& key);
+/// "required", the default as YAML, or "optional".
+std::string default_text(const Key& key);
+/// The key in a few lines for the terminal, with the keys inside it.
+std::string help_text(const DescribedKey& described, const Schema& schema);
+
+}  // namespace perinox::deck
