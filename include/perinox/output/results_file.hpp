@@ -1,27 +1,40 @@
 #pragma once
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "perinox/body/body.hpp"
+#include "perinox/output/row_order.hpp"
+#include "perinox/output/xdmf.hpp"
 #include "perinox/solve/record.hpp"
 
 namespace perinox::output {
 
 /// `results.h5`, written by all ranks together (parallel HDF5), rows in ascending particle id whatever the number of
-/// ranks, and `results.xdmf` beside it. After every step the file on disk is complete and readable.
+/// ranks, and `results.xdmf` beside it. Each step opens the file, appends and closes it: between steps the file on disk
+/// is complete and readable, and a killed run leaves the steps before. Layout: docs/results.md.
 class ResultsFile {
  public:
-  ResultsFile(const std::string& directory, const std::string& title, const body::Body& body);
-  ~ResultsFile();
+  /// Creates the file (replacing one of that name) with the group /particles. block_names: of the deck's bodies, in the
+  /// order that body.part counts. Collective. Throws RunError: path and reason.
+  ResultsFile(std::string directory, std::string title, const std::vector<std::string>& block_names,
+              const body::Body& body);
 
-  /// Group /steps/<record.step> with attributes t, newton_iterations, linear_iterations and one dataset a field: [n,3]
-  /// for vectors (2-D: third column zero), [n] for scalars. Collective. Throws RunError if the disk refuses.
+  /// Group /steps/<record.step> with the attributes t, load (the same number), newton_iterations, linear_iterations and
+  /// one dataset a field: [n, 3] for vectors (2-D: third column zero), [n] for scalars. Collective. Throws RunError if
+  /// the disk refuses; too little room is noticed before the file is touched.
   void write(const solve::StepRecord& record, const std::vector<solve::Field>& fields);
 
+  const std::string& path() const { return path_; }
+
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  void require_room(double numbers) const;
+
+  std::string directory_;
+  std::string path_;
+  Communicator communicator_;
+  int dimension_ = 3;
+  RowOrder order_;
+  XdmfIndex index_;
 };
 
 }  // namespace perinox::output

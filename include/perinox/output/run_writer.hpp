@@ -1,26 +1,27 @@
 #pragma once
-#include <cstdio>
-#include <fstream>
 #include <memory>
 #include <string>
 
 #include "perinox/body/body.hpp"
 #include "perinox/deck/deck.hpp"
-#include "perinox/output/results_file.hpp"
 #include "perinox/solve/record.hpp"
 
 namespace perinox::output {
 
 /// Writes everything a run leaves in its directory: results.h5 and results.xdmf, history.csv, convergence.csv,
-/// deck.resolved.yaml; and prints the Newton table and progress on the terminal unless quiet.
+/// deck.resolved.yaml; and prints the Newton table and progress on standard output unless quiet. Warnings go to
+/// standard error, quiet or not.
 class RunWriter : public solve::Observer {
  public:
-  /// Creates the directory (refuses with InputError one that holds results already, unless `overwrite`). Collective.
-  RunWriter(const deck::Deck& deck, const body::Body& body, std::string directory, bool quiet, bool overwrite);
+  /// Creates the directory; results that it already holds are moved into its folder previous-<N>, which is said in one
+  /// line. Collective. Throws InputError if the directory cannot be used, RunError if a file cannot be created.
+  RunWriter(const deck::Deck& deck, const body::Body& body, std::string directory, bool quiet);
   ~RunWriter() override;
 
   void newton_iteration(const solve::NewtonIteration& row) override;
   void step_rejected(double t_from, double t_to, const std::string& reason) override;
+  /// history.csv: every step; results.h5: every deck.output.every-th step and the last, with displacement, force and
+  /// the fields of deck.output.fields that the scene carries. Collective. Throws RunError if the disk refuses.
   void step_committed(const solve::StepRecord& record) override;
 
  private:
