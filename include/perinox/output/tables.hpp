@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "perinox/solve/record.hpp"
+
+namespace perinox::output {
+
+/// A text file that grows a line at a time; each line is on its way to the disk when append() returns. One rank owns
+/// it. Failures are kept, not thrown, until the ranks can speak about them together: see failure().
+class GrowingFile {
+ public:
+  explicit GrowingFile(std::string path);
+  ~GrowingFile();
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+
+  void append(const std::string& line);
+  /// The first failure as a sentence with the path and the reason; "" if there was none.
+  const std::string& failure() const { return failure_; }
+
+ private:
+  std::string path_;
+  std::FILE* file_;
+  std::string failure_;
+};
+
+/// `history.csv`: one row a committed step. Columns: step, t, one for each name, stored_energy, dissipated_energy,
+/// external_work, newton_iterations, linear_iterations, seconds. Numbers as %.17g: they read back to the same double.
+class HistoryTable {
+ public:
+  HistoryTable(const std::string& path, const std::vector<std::string>& names);
+  void row(const solve::StepRecord& record);
+  const std::string& failure() const { return file_.failure(); }
+
+ private:
+  GrowingFile file_;
+};
+
+/// `convergence.csv`: one row a Newton iteration. Columns: step, t, attempt, iteration, residual, relative_residual,
+/// update, relative_update, linear_iterations, forcing, step_length. `attempt` counts from 1 within a step: the rows of
+/// a rejected attempt stay, those of the shorter one follow with the next attempt number (and their own t).
+class ConvergenceTable {
+ public:
+  explicit ConvergenceTable(const std::string& path);
+  void row(const solve::NewtonIteration& row, int attempt);
+  const std::string& failure() const { return file_.failure(); }
+
+ private:
+  GrowingFile file_;
+};
+
+}  // namespace perinox::output

@@ -1,0 +1,35 @@
+#pragma once
+#include <ostream>
+#include <string>
+
+#include "perinox/solve/record.hpp"
+
+namespace perinox::output {
+
+/// The Newton table as text, for one rank to print: a header a step, a line an iteration, and a line when the step is
+/// committed or rejected. With `redraw` a progress line (step, t, iteration, time left) stays at the bottom, redrawn in
+/// place; without it the text holds no control characters.
+class Terminal {
+ public:
+  Terminal(std::ostream& out, bool redraw) : out_(out), redraw_(redraw) {}
+
+  void newton_iteration(const solve::NewtonIteration& row, int attempt);
+  void step_rejected(double t_from, double t_to, const std::string& reason);
+  void step_committed(const solve::StepRecord& record);
+  /// A line of its own.
+  void say(const std::string& line);
+
+ private:
+  void print(const std::string& lines);
+
+  std::ostream& out_;
+  bool redraw_;
+  std::string progress_;   ///< what stands in the bottom line now
+  std::string time_left_;  ///< known from the last committed step
+  std::string end_;
+};
+
+/// `75 s` -> `1 min 15 s`; coarser as it grows.
+std::string duration(double seconds);
+
+}  // namespace perinox::output

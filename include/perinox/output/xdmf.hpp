@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "perinox/core/types.hpp"
+
+namespace perinox::output {
+
+/// `results.xdmf`: an XDMF 3 table of contents of results.h5 for ParaView and VisIt, one point cloud a step. It holds
+/// no numbers, only the names of datasets in the file beside it.
+class XdmfIndex {
+ public:
+  struct FieldShape {
+    std::string name;
+    bool vector = false;  ///< [n, 3], otherwise [n]
+  };
+
+  /// h5_name: of the HDF5 file, relative to the index; particles: rows of every dataset.
+  XdmfIndex(std::string title, std::string h5_name, GlobalId particles);
+  void add_step(int step, double t, const std::vector<FieldShape>& fields);
+  /// The whole index as XML.
+  std::string text() const;
+
+ private:
+  std::string title_;
+  std::string h5_name_;
+  GlobalId particles_;
+  std::string steps_;
+};
+
+/// Writes a small file so that a reader sees the old text or the new one, never a part: a temporary beside it is
+/// renamed over it. One rank calls it. Returns the reason as a sentence if the disk refuses, else "".
+std::string replace_file(const std::string& path, const std::string& text);
+
+}  // namespace perinox::output

@@ -1,0 +1,190 @@
+#include "perinox/output/parallel_file.hpp"
+
+#include <array>
+#include <utility>
+
+#include "hdf5_handle.hpp"
+#include "perinox/output/agree.hpp"
+
+namespace perinox::output {
+
+namespace {
+/// Rows [first, first + rows) of a table, selected in its file dataspace.
+void select_rows(hid_t space, GlobalId first, int rows, int columns) {
+  const std::array<hsize_t, 2> start = {static_cast<hsize_t>(first), 0};
+  const std::array<hsize_t, 2> count = {static_cast<hsize_t>(rows), static_cast<hsize_t>(columns)};
+  if (rows == 0)
+    H5Sselect_none(space);
+  else
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
+}
+
+std::array<hsize_t, 2> shape(GlobalId rows, int columns) {
+  return {static_cast<hsize_t>(rows), static_cast<hsize_t>(columns)};
+}
+
+Handle memory_space(int rows, int columns) {
+  const auto extent = shape(rows, columns);
+  return {H5Screate_simple(columns == 0 ? 1 : 2, extent.data(), nullptr), H5Sclose};
+}
+
+Handle collective_transfer() {
+  const hid_t list = H5Pcreate(H5P_DATASET_XFER);
+  H5Pset_dxpl_mpio(list, H5FD_MPIO_COLLECTIVE);
+  return {list, H5Pclose};
+}
+
+hid_t open(const std::string& path, MPI_Comm comm, ParallelFile::Mode mode) {
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
+  if (mode == ParallelFile::Mode::create) return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  return H5Fopen(path.c_str(), mode == ParallelFile::Mode::append ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access);
+}
+
+/// HDF5 text: UTF-8 of any length, ended by a zero.
+Handle text_type() {
+  const hid_t type = H5Tcopy(H5T_C_S1);
+  H5Tset_size(type, H5T_VARIABLE);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  return {type, H5Tclose};
+}
+}  // namespace
+
+ParallelFile::ParallelFile(std::string path, const Communicator& communicator, Mode mode)
+    : path_(std::move(path)), communicator_(communicator) {
+  const Silence silence;
+  file_ = open(path_, communicator_.mpi(), mode);
+  try {
+    agree(file_ < 0, mode == Mode::create ? "cannot be created" : "cannot be opened");
+  } catch (...) {
+    if (file_ >= 0) H5Fclose(file_);
+    throw;
+  }
+}
+
+ParallelFile::~ParallelFile() {
+  const Silence silence;
+  if (file_ >= 0) H5Fclose(file_);
+}
+
+void ParallelFile::agree(bool failed, const std::string& doing) const {
+  agree_on_run_error(communicator_, failed ? path_ + " " + doing + ": " + take_reason() : std::string());
+}
+
+void ParallelFile::make_group(const std::string& name) {
+  const Silence silence;
+  const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  agree(group.failed(), "refuses the group " + name);
+}
+
+bool ParallelFile::has(const std::string& name) const {
+  const Silence silence;
+  return communicator_.any(H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0);
+}
+
+void ParallelFile::write_table(const std::string& dataset, const void* values, int rows, GlobalId total, GlobalId first,
+                               int columns, std::int64_t type) {
+  const Silence silence;
+  const auto extent = shape(total, columns);
+  const Handle space(H5Screate_simple(columns == 0 ? 1 : 2, extent.data(), nullptr), H5Sclose);
+  const Handle table(H5Dcreate2(file_, dataset.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  agree(table.failed(), "refuses the dataset " + dataset);
+  select_rows(space, first, rows, columns);
+  const Handle memory = memory_space(rows, columns);
+  const Handle transfer = collective_transfer();
+  agree(H5Dwrite(table, type, memory, space, transfer, values) < 0, "could not be written, dataset " + dataset);
+}
+
+void ParallelFile::write_rows(const std::string& dataset, const std::vector<double>& values, GlobalId total,
+                              GlobalId first, int columns) {
+  const auto rows = static_cast<int>(columns == 0 ? values.size() : values.size() / static_cast<std::size_t>(columns));
+  write_table(dataset, values.data(), rows, total, first, columns, H5T_NATIVE_DOUBLE);
+}
+void ParallelFile::write_rows(const std::string& dataset, const std::vector<int>& values, GlobalId total,
+                              GlobalId first) {
+  write_table(dataset, values.data(), static_cast<int>(values.size()), total, first, 0, H5T_NATIVE_INT);
+}
+void ParallelFile::write_rows(const std::string& dataset, const std::vector<GlobalId>& values, GlobalId total,
+                              GlobalId first) {
+  write_table(dataset, values.data(), static_cast<int>(values.size()), total, first, 0, H5T_NATIVE_LLONG);
+}
+
+std::vector<double> ParallelFile::read_rows(const std::string& dataset, GlobalId total, GlobalId first, int rows,
+                                            int columns) const {
+  const Silence silence;
+  const Handle table(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  agree(table.failed(), "has no dataset " + dataset);
+  const Handle space(H5Dget_space(table), H5Sclose);
+  std::array<hsize_t, 2> extent = {0, 0};
+  const bool flat_or_table = H5Sget_simple_extent_ndims(space) == (columns == 0 ? 1 : 2);
+  if (flat_or_table) H5Sget_simple_extent_dims(space, extent.data(), nullptr);
+  agree_on_run_error(communicator_, flat_or_table && extent == shape(total, columns)
+                                        ? std::string()
+                                        : path_ + " holds the dataset " + dataset + " in another shape than [" +
+                                              std::to_string(total) +
+                                              (columns == 0 ? "]" : ", " + std::to_string(columns) + "]"));
+  select_rows(space, first, rows, columns);
+  const Handle memory = memory_space(rows, columns);
+  const Handle transfer = collective_transfer();
+  std::vector<double> values(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns == 0 ? 1 : columns));
+  agree(H5Dread(table, H5T_NATIVE_DOUBLE, memory, space, transfer, values.data()) < 0,
+        "could not be read, dataset " + dataset);
+  return values;
+}
+
+void ParallelFile::write_attribute(const std::string& object, const std::string& name, std::int64_t type,
+                                   const void* value, const std::size_t* count) {
+  const Silence silence;
+  const hsize_t extent = count == nullptr ? 0 : *count;
+  const Handle space(count == nullptr ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &extent, nullptr), H5Sclose);
+  const Handle owner(H5Oopen(file_, object.c_str(), H5P_DEFAULT), H5Oclose);
+  const Handle attribute(H5Acreate2(owner, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  const bool failed = attribute.failed() || H5Awrite(attribute, type, value) < 0;
+  agree(failed, "refuses the attribute " + name + " of " + object);
+}
+
+void ParallelFile::set_attribute(const std::string& object, const std::string& name, double value) {
+  write_attribute(object, name, H5T_NATIVE_DOUBLE, &value, nullptr);
+}
+void ParallelFile::set_attribute(const std::string& object, const std::string& name, GlobalId value) {
+  write_attribute(object, name, H5T_NATIVE_LLONG, &value, nullptr);
+}
+void ParallelFile::set_attribute(const std::string& object, const std::string& name, const std::string& value) {
+  const char* text = value.c_str();
+  write_attribute(object, name, text_type(), &text, nullptr);
+}
+void ParallelFile::set_attribute(const std::string& object, const std::string& name,
+                                 const std::vector<std::string>& values) {
+  std::vector<const char*> texts;
+  for (const std::string& value : values) texts.push_back(value.c_str());
+  const std::size_t count = texts.size();
+  write_attribute(object, name, text_type(), texts.data(), &count);
+}
+
+double ParallelFile::number_attribute(const std::string& object, const std::string& name) const {
+  const Silence silence;
+  const Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  double value = 0;
+  agree(attribute.failed() || H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0,
+        "has no number " + name + " at " + object);
+  return value;
+}
+
+std::string ParallelFile::text_attribute(const std::string& object, const std::string& name) const {
+  const Silence silence;
+  const Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  char* read = nullptr;
+  agree(attribute.failed() || H5Aread(attribute, text_type(), &read) < 0, "has no text " + name + " at " + object);
+  const std::string text = read == nullptr ? "" : read;
+  H5free_memory(read);
+  return text;
+}
+
+void ParallelFile::close() {
+  const Silence silence;
+  const herr_t closed = H5Fclose(file_);
+  file_ = -1;
+  agree(closed < 0, "could not be closed");
+}
+
+}  // namespace perinox::output

@@ -1,0 +1,121 @@
+#include "perinox/output/run_writer.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "perinox/deck/read.hpp"
+#include "perinox/output/agree.hpp"
+#include "perinox/output/results_file.hpp"
+#include "perinox/output/run_directory.hpp"
+#include "perinox/output/tables.hpp"
+#include "perinox/output/terminal.hpp"
+
+namespace perinox::output {
+
+namespace {
+std::vector<std::string> block_names(const deck::Deck& deck) {
+  std::vector<std::string> names;
+  for (const deck::BodyPart& part : deck.body) names.push_back(part.name);
+  return names;
+}
+
+std::vector<std::string> history_names(const deck::Deck& deck) {
+  std::vector<std::string> names;
+  for (const deck::HistoryEntry& entry : deck.history) names.push_back(entry.name);
+  return names;
+}
+}  // namespace
+
+struct RunWriter::Files {
+  Communicator communicator;
+  std::string directory;
+  int every;
+  std::vector<std::string> asked_fields;
+  bool fields_checked = false;
+  int current_step = 0;
+  int attempt = 1;
+
+  std::optional<ResultsFile> results;
+  // On rank 0 only.
+  std::optional<HistoryTable> history;
+  std::optional<ConvergenceTable> convergence;
+  std::optional<Terminal> terminal;
+
+  Files(const deck::Deck& deck, const body::Body& body, std::string where)
+      : communicator(body.communicator), directory(std::move(where)), every(deck.output.every) {
+    asked_fields = {"displacement", "force"};
+    for (const std::string& field : deck.output.fields)
+      if (std::find(asked_fields.begin(), asked_fields.end(), field) == asked_fields.end())
+        asked_fields.push_back(field);
+  }
+
+  /// The carried fields that were asked for, in the order asked; says once which are not there.
+  std::vector<solve::Field> chosen(const std::vector<solve::Field>& carried) {
+    std::vector<solve::Field> fields;
+    for (const std::string& name : asked_fields) {
+      const auto found = std::find_if(carried.begin(), carried.end(), [&](const auto& f) { return f.name == name; });
+      if (found != carried.end())
+        fields.push_back(*found);
+      else if (!fields_checked && communicator.is_root())
+        std::cerr << fmt::format("warning: this scene carries no field {}: it is not in results.h5\n", name);
+    }
+    fields_checked = true;
+    return fields;
+  }
+
+  void agree_on_tables() const {
+    std::string sentence;
+    if (history) sentence = history->failure().empty() ? convergence->failure() : history->failure();
+    agree_on_run_error(communicator, sentence);
+  }
+};
+
+RunWriter::RunWriter(const deck::Deck& deck, const body::Body& body, std::string directory, bool quiet)
+    : files_(std::make_unique<Files>(deck, body, std::move(directory))) {
+  Files& files = *files_;
+  const std::string moved = prepare_directory(files.directory, files.communicator);
+  std::string failure;
+  if (files.communicator.is_root()) {
+    if (!quiet) files.terminal.emplace(std::cout, ::isatty(STDOUT_FILENO) != 0);
+    if (files.terminal && !moved.empty()) files.terminal->say(moved);
+    files.history.emplace(files.directory + "/history.csv", history_names(deck));
+    files.convergence.emplace(files.directory + "/convergence.csv");
+    failure = replace_file(files.directory + "/deck.resolved.yaml", deck::write_resolved(deck));
+  }
+  agree_on_run_error(files.communicator, failure);
+  files.agree_on_tables();
+  files.results.emplace(files.directory, deck.title, block_names(deck), body);
+}
+
+RunWriter::~RunWriter() = default;
+
+void RunWriter::newton_iteration(const solve::NewtonIteration& row) {
+  Files& files = *files_;
+  if (row.step != files.current_step) files.attempt = 1;
+  files.current_step = row.step;
+  if (files.convergence) files.convergence->row(row, files.attempt);
+  if (files.terminal) files.terminal->newton_iteration(row, files.attempt);
+}
+
+void RunWriter::step_rejected(double t_from, double t_to, const std::string& reason) {
+  ++files_->attempt;
+  if (files_->terminal) files_->terminal->step_rejected(t_from, t_to, reason);
+}
+
+void RunWriter::step_committed(const solve::StepRecord& record) {
+  Files& files = *files_;
+  files.current_step = 0;
+  if (record.step % files.every == 0 || record.last) files.results->write(record, files.chosen(record.fields));
+  if (files.history) files.history->row(record);
+  files.agree_on_tables();
+  if (files.terminal) files.terminal->step_committed(record);
+}
+
+}  // namespace perinox::output

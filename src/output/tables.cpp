@@ -1,0 +1,61 @@
+#include "perinox/output/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace perinox::output {
+
+namespace {
+/// A name as a CSV cell (RFC 4180).
+std::string cell(const std::string& name) {
+  if (name.find_first_of(",\"\n") == std::string::npos) return name;
+  std::string quoted = "\"";
+  for (const char letter : name) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+  return quoted + "\"";
+}
+}  // namespace
+
+GrowingFile::GrowingFile(std::string path) : path_(std::move(path)), file_(std::fopen(path_.c_str(), "w")) {
+  if (file_ == nullptr) failure_ = fmt::format("{} cannot be created: {}", path_, std::strerror(errno));
+}
+
+GrowingFile::~GrowingFile() {
+  if (file_ != nullptr) std::fclose(file_);
+}
+
+void GrowingFile::append(const std::string& line) {
+  if (!failure_.empty()) return;
+  const bool written = std::fputs((line + "\n").c_str(), file_) >= 0 && std::fflush(file_) == 0;
+  if (!written) failure_ = fmt::format("{} could not be written: {}", path_, std::strerror(errno));
+}
+
+HistoryTable::HistoryTable(const std::string& path, const std::vector<std::string>& names) : file_(path) {
+  std::string header = "step,t";
+  for (const std::string& name : names) header += "," + cell(name);
+  file_.append(header + ",stored_energy,dissipated_energy,external_work,newton_iterations,linear_iterations,seconds");
+}
+
+void HistoryTable::row(const solve::StepRecord& record) {
+  std::string line = fmt::format("{},{:.17g}", record.step, record.t);
+  for (const double value : record.history) line += fmt::format(",{:.17g}", value);
+  file_.append(line + fmt::format(",{:.17g},{:.17g},{:.17g},{},{},{:.17g}", record.stored_energy,
+                                  record.dissipated_energy, record.external_work, record.newton_iterations,
+                                  record.linear_iterations, record.seconds));
+}
+
+ConvergenceTable::ConvergenceTable(const std::string& path) : file_(path) {
+  file_.append(
+      "step,t,attempt,iteration,residual,relative_residual,update,relative_update,linear_iterations,forcing,"
+      "step_length");
+}
+
+void ConvergenceTable::row(const solve::NewtonIteration& row, int attempt) {
+  file_.append(fmt::format("{},{:.17g},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{},{:.17g},{:.17g}", row.step, row.t,
+                           attempt, row.iteration, row.residual, row.relative_residual, row.update, row.relative_update,
+                           row.linear_iterations, row.forcing, row.step_length));
+}
+
+}  // namespace perinox::output

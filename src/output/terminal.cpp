@@ -1,0 +1,62 @@
+#include "perinox/output/terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace perinox::output {
+
+namespace {
+constexpr const char* erase_line = "\r\033[K";
+
+std::string plural(int count, const char* noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
+}  // namespace
+
+std::string duration(double seconds) {
+  if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+  const auto whole = static_cast<long long>(std::llround(seconds));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+void Terminal::print(const std::string& lines) {
+  if (redraw_ && !progress_.empty()) out_ << erase_line;
+  out_ << lines;
+  if (redraw_) out_ << progress_;
+  out_.flush();
+}
+
+void Terminal::say(const std::string& line) { print(line + "\n"); }
+
+void Terminal::newton_iteration(const solve::NewtonIteration& row, int attempt) {
+  std::string lines;
+  if (row.iteration == 0) {
+    lines = fmt::format("\nstep {}{}   t = {:.6g}\n{:>11}{:>13}{:>12}{:>13}{:>12}{:>9}{:>11}\n", row.step,
+                        attempt == 1 ? "" : fmt::format(" (attempt {})", attempt), row.t, "iteration", "residual",
+                        "relative", "update", "relative", "linear", "forcing");
+    lines += fmt::format("{:>11}{:>13.3e}{:>12.2e}{:>13}{:>12}{:>9}{:>11}\n", 0, row.residual, row.relative_residual,
+                         "-", "-", "-", "-");
+  } else {
+    lines = fmt::format("{:>11}{:>13.3e}{:>12.2e}{:>13.3e}{:>12.2e}{:>9}{:>11.1e}\n", row.iteration, row.residual,
+                        row.relative_residual, row.update, row.relative_update, row.linear_iterations, row.forcing);
+  }
+  progress_ = fmt::format("step {}  t {:.6g}{}  iteration {}{}", row.step, row.t, end_, row.iteration, time_left_);
+  print(lines);
+}
+
+void Terminal::step_rejected(double t_from, double t_to, const std::string& reason) {
+  print(fmt::format("  rejected, t = {:.6g} to {:.6g}: {}\n", t_from, t_to, reason));
+}
+
+void Terminal::step_committed(const solve::StepRecord& record) {
+  const std::string left = record.last ? "" : fmt::format(", about {} left", duration(record.remaining_seconds));
+  end_ = fmt::format(" of {:.6g}", record.end);
+  time_left_ = record.last ? "" : fmt::format("  about {} left", duration(record.remaining_seconds));
+  progress_ = record.last ? "" : fmt::format("step {}  t {:.6g}{}{}", record.step, record.t, end_, time_left_);
+  print(fmt::format("  committed step {} at t = {:.6g}: {}, {}, {}{}\n", record.step, record.t,
+                    plural(record.newton_iterations, "Newton iteration"),
+                    plural(record.linear_iterations, "linear iteration"), duration(record.seconds), left));
+}
+
+}  // namespace perinox::output
