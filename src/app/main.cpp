@@ -1,1 +1,80 @@
-int main() { return 0; }
+/// perinox: the commands of docs/commands.md. Exit status: 0 done; 1 the run stopped short; 2 the input is wrong.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <Tpetra_Core.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "perinox/app/commands.hpp"
+#include "perinox/core/error.hpp"
+
+namespace {
+
+void say(const perinox::Communicator& ranks, const char* prefix, const std::string& sentence) {
+  std::fflush(stdout);
+  if (ranks.is_root()) fmt::print(stderr, "{}{}\n", prefix, sentence);
+}
+
+int command_line(int argc, char** argv, const perinox::Communicator& ranks) {
+  using namespace perinox;
+  app::Options options;
+  std::string key;
+  bool page = false, json_schema = false;
+
+  CLI::App cli{"Implicit quasi-static nonlinear peridynamics on Trilinos", "perinox"};
+  cli.set_version_flag("--version", "perinox " PERINOX_VERSION);
+  cli.require_subcommand(1);
+  cli.footer("Example: mpirun -np 2 perinox run inputs/tension_block.yaml --output results/tension_block");
+  auto* run = cli.add_subcommand("run", "solve a deck's load path; under mpirun on N ranks");
+  auto* check = cli.add_subcommand("check", "validate a deck; print the scene, the resolved deck and what it costs; run nothing");
+  auto* verify = cli.add_subcommand("verify", "tangent against central differences and symmetry at the scene's own states");
+  auto* help = cli.add_subcommand("help", "documentation of a deck key, from the schema");
+  for (auto* command : {run, check, verify}) {
+    command->add_option("DECK", options.deck, "the deck, a YAML file")->required();
+    command->add_option("--set", options.overrides, "override one value: key.path=value; may be given again")
+        ->take_all()
+        ->allow_extra_args(false);
+    command->add_flag("--quiet", options.quiet, "print nothing but warnings and errors");
+  }
+  run->add_option("--output", options.output, "directory for the results (default: results/<deck's name>)");
+  help->add_option("KEY", key, "a key's dotted path or its last name");
+  help->add_flag("--page", page, "print the whole reference page, docs/deck.md");
+  help->add_flag("--json-schema", json_schema, "print the deck's JSON Schema for editors");
+
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::Success& message) {  // --help, --version
+    if (ranks.is_root()) cli.exit(message);
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    say(ranks, "perinox: ", std::string(error.what()) + "; perinox --help lists the commands");
+    return 2;
+  }
+  if (run->parsed()) return app::run(options, ranks);
+  if (check->parsed()) return app::check(options, ranks);
+  if (verify->parsed()) return app::verify(options, ranks);
+  return app::help(key, page, json_schema, ranks);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Tpetra::ScopeGuard guard(&argc, &argv);
+  const perinox::Communicator ranks;
+  try {
+    return command_line(argc, argv, ranks);
+  } catch (const perinox::InputError& error) {
+    say(ranks, "", error.what());
+    return 2;
+  } catch (const perinox::RunError& error) {
+    say(ranks, "perinox: ", error.what());
+    return 1;
+  } catch (const std::exception& error) {
+    // Not agreed on by the ranks: the others may be waiting for this one, so all are ended.
+    fmt::print(stderr, "perinox: rank {}: {}\n", ranks.rank(), error.what());
+    std::fflush(stderr);
+    if (ranks.size() > 1) MPI_Abort(ranks.mpi(), 1);
+    return 1;
+  }
+}

@@ -61,7 +61,14 @@ LoadStepper::LoadStepper(const deck::Deck& deck, const mechanics::Scene& scene)
       dilatation_(static_cast<std::size_t>(scene.owned()), 0.0),
       stored_energy_(static_cast<std::size_t>(scene.owned()), 0.0),
       history_names_(scene.point_history_names()),
-      history_values_(history_names_.size(), std::vector<double>(static_cast<std::size_t>(scene.owned()), 0.0)) {}
+      history_values_(history_names_.size(), std::vector<double>(static_cast<std::size_t>(scene.owned()), 0.0)) {
+  for (const auto& material : scene.materials()) {
+    std::vector<std::size_t>& places = history_place_.emplace_back();
+    for (const std::string& name : material->history().point)
+      places.push_back(static_cast<std::size_t>(
+          std::find(history_names_.begin(), history_names_.end(), name) - history_names_.begin()));
+  }
+}
 
 void LoadStepper::run(Observer& observer) {
   Clock clock(deck_.steps);
@@ -71,8 +78,8 @@ void LoadStepper::run(Observer& observer) {
     const double t = clock.next(committed_.t());
     mechanics::Trial trial;
     std::vector<double> force;
-    NewtonResult result;
-    result = newton_.solve(committed_, t, step_ + 1, first_guess(t), observer, trial, force);
+    const NewtonResult result =
+        newton_.solve(committed_, t, step_ + 1, first_guess(t), observer, trial, force);
     if (!result.converged) {
       observer.step_rejected(committed_.t(), t, result.reason);
       if (!clock.cut())
@@ -83,6 +90,7 @@ void LoadStepper::run(Observer& observer) {
                                    result.reason));
       continue;
     }
+    if (converged_) converged_(committed_, trial);
     ++step_;
     clock.accept(t);
     commit(std::move(trial), std::move(force));
@@ -132,12 +140,9 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) 
   external_ = std::move(external);
 
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
-    const std::vector<std::string> names = scene_.material(i).history().point;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      const auto place = std::find(history_names_.begin(), history_names_.end(), names[k]) - history_names_.begin();
-      history_values_[static_cast<std::size_t>(place)][static_cast<std::size_t>(i)] =
-          committed_.history(scene_, i).point[k];
-    }
+    const std::vector<std::size_t>& places = history_place_[static_cast<std::size_t>(scene_.body().material[i])];
+    for (std::size_t k = 0; k < places.size(); ++k)
+      history_values_[places[k]][static_cast<std::size_t>(i)] = committed_.history(scene_, i).point[k];
   }
 }
 

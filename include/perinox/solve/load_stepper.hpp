@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,6 +30,10 @@ class LoadStepper {
   /// the observer.
   void run(Observer& observer);
 
+  /// Called with the state a step started from and the converged one, before it is committed (`perinox verify`).
+  using Converged = std::function<void(const mechanics::Committed& before, const mechanics::Trial& after)>;
+  void on_convergence(Converged callback) { converged_ = std::move(callback); }
+
   const mechanics::Committed& committed() const { return committed_; }
   const Boundary& boundary() const { return boundary_; }
   Newton& newton() { return newton_; }
@@ -57,7 +62,9 @@ class LoadStepper {
 
   Energies energies_;
   std::vector<double> force_, external_, dilatation_, stored_energy_;
+  Converged converged_;
   std::vector<std::string> history_names_;
+  std::vector<std::vector<std::size_t>> history_place_;  ///< [material][point variable] index into history_names_
   std::vector<std::vector<double>> history_values_;  ///< point history spread over all owned particles
   int step_ = 0;
 };

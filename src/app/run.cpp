@@ -1,0 +1,37 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "perinox/app/commands.hpp"
+#include "perinox/app/scene_report.hpp"
+#include "perinox/mechanics/scene.hpp"
+#include "perinox/output/run_writer.hpp"
+#include "perinox/solve/load_stepper.hpp"
+
+namespace perinox::app {
+
+int run(const Options& options, const Communicator& communicator) {
+  const deck::Deck deck = read_deck(options, communicator);
+  body::PartitionReport partition;
+  const mechanics::Scene scene = mechanics::build_scene(deck, communicator, &partition);
+  solve::LoadStepper stepper(deck, scene);
+
+  const bool talk = communicator.is_root() && !options.quiet;
+  const SceneReport report = describe(deck, scene, partition);
+  if (talk) fmt::print("{}", report.summary);
+  if (communicator.is_root())
+    for (const std::string& remark : stepper.boundary().remarks()) fmt::print(stderr, "note: {}\n", remark);
+
+  const std::string directory =
+      options.output.empty() ? (std::filesystem::path("results") / std::filesystem::path(options.deck).stem()).string()
+                             : options.output;
+  output::RunWriter writer(deck, scene.body(), directory, options.quiet);
+  stepper.run(writer);
+  const solve::Energies& e = stepper.energies();
+  if (talk)
+    fmt::print("done: stored {:.6g}, dissipated {:.6g}, external work {:.6g}; results in {}\n", e.stored, e.dissipated,
+               e.external_work, directory);
+  return 0;
+}
+
+}  // namespace perinox::app

@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "perinox/app/commands.hpp"
+#include "perinox/app/scene_report.hpp"
+#include "perinox/mechanics/tangent_check.hpp"
+#include "perinox/solve/load_stepper.hpp"
+
+namespace perinox::app {
+
+namespace {
+// Bounds of `verify`; a central difference of the whole force reaches about 1e-9 (docs/theory.md).
+constexpr double direction_bound = 1e-7;
+constexpr double symmetry_bound = 1e-12;
+constexpr double assembled_bound = 1e-13;
+// The sparse matrix is compared where it stays below this many bonds: about 1 GB.
+constexpr long long assembled_bonds = 1'500'000;
+}  // namespace
+
+int verify(const Options& options, const Communicator& communicator) {
+  const deck::Deck deck = read_deck(options, communicator);
+  body::PartitionReport partition;
+  const mechanics::Scene scene = mechanics::build_scene(deck, communicator, &partition);
+  solve::LoadStepper stepper(deck, scene);
+  const bool talk = communicator.is_root() && !options.quiet;
+  const SceneReport report = describe(deck, scene, partition);
+  const bool with_assembled = communicator.sum(static_cast<long long>(scene.bonds().count())) <= assembled_bonds;
+  if (talk) {
+    fmt::print("{}", report.summary);
+    fmt::print("{:>5} {:>10} {:>9} {:>12} {:>12} {:>12}", "step", "t", "yielding", "difference", "symmetry", "assembled");
+    for (const deck::Material& material : deck.materials) fmt::print(" {:>12}", material.name.substr(0, 12));
+    fmt::print("\n");
+  }
+
+  int step = 0;
+  mechanics::TangentCheck worst;
+  stepper.on_convergence([&](const mechanics::Committed& before, const mechanics::Trial& after) {
+    const std::vector<double> displacement(after.displacement.begin(),
+                                           after.displacement.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()));
+    const mechanics::TangentCheck check =
+        mechanics::check_tangent(scene, before, displacement, deck.solver.form, with_assembled, 1 + 2 * static_cast<std::uint64_t>(step));
+    ++step;
+    worst.direction = std::max(worst.direction, check.direction);
+    worst.symmetry = std::max(worst.symmetry, check.symmetry);
+    worst.assembled = std::max(worst.assembled, check.assembled);
+    if (!talk) return;
+    fmt::print("{:5} {:10.6g} {:9} {:12.2e} {:12.2e} ", step, after.t, check.yielding, check.direction, check.symmetry);
+    fmt::print("{:>12}", check.assembled < 0 ? std::string("-") : fmt::format("{:.2e}", check.assembled));
+    for (const double error : check.of_material) fmt::print(" {:12.2e}", error);
+    fmt::print("\n");
+    std::fflush(stdout);
+  });
+  solve::Observer nobody;
+  stepper.run(nobody);
+
+  const bool holds = worst.direction <= direction_bound && worst.symmetry <= symmetry_bound && worst.assembled <= assembled_bound;
+  if (communicator.is_root())
+    fmt::print("{}: difference {:.2e} (bound {:.0e}), symmetry {:.2e} ({:.0e}), assembled {:.2e} ({:.0e})\n",
+               holds ? "the tangent holds" : "the tangent does NOT hold", worst.direction, direction_bound, worst.symmetry,
+               symmetry_bound, std::max(worst.assembled, 0.0), assembled_bound);
+  return holds ? 0 : 1;
+}
+
+}  // namespace perinox::app
