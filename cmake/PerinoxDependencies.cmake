@@ -15,13 +15,17 @@ endfunction()
 find_package(MPI QUIET COMPONENTS C CXX)
 perinox_require(MPI_CXX_FOUND libopenmpi-dev "an MPI compiler and library (Open MPI)")
 
-foreach(component Tpetra NOX Belos Ifpack2 Zoltan2 Stratimikos Thyra Sacado)
-  find_package(Trilinos QUIET COMPONENTS ${component})
-  perinox_require(Trilinos_FOUND trilinos-all-dev "the Trilinos package ${component}")
+# One call for all: Trilinos' configuration fills its list of libraries the first time only.
+set(perinox_trilinos_packages Tpetra NOX Belos Ifpack2 Zoltan2 Stratimikos Thyra Sacado)
+find_package(Trilinos QUIET COMPONENTS ${perinox_trilinos_packages})
+perinox_require(Trilinos_FOUND trilinos-all-dev "the Trilinos libraries")
+foreach(component IN LISTS perinox_trilinos_packages)
+  perinox_require(Trilinos_${component}_FOUND trilinos-all-dev "the Trilinos package ${component}")
 endforeach()
-find_package(Trilinos QUIET COMPONENTS Tpetra NOX Belos Ifpack2 Zoltan2 Stratimikos Thyra Sacado)
 find_library(PTSCOTCH_LIBRARY ptscotch PATH_SUFFIXES scotch-int32 scotch-int64 scotch-long)
 perinox_require(PTSCOTCH_LIBRARY libptscotch-dev "the PT-Scotch library (Trilinos' exported link line names it)")
+find_path(PTSCOTCH_INCLUDE_DIR ptscotch.h PATH_SUFFIXES scotch-int32 scotch scotch-int64 scotch-long)
+perinox_require(PTSCOTCH_INCLUDE_DIR libptscotch-dev "the PT-Scotch headers (Zoltan2's partitioning header includes them)")
 
 find_package(Eigen3 QUIET NO_MODULE)
 perinox_require(Eigen3_FOUND libeigen3-dev "the Eigen headers")
@@ -44,7 +48,8 @@ perinox_require(HDF5_IS_PARALLEL libhdf5-openmpi-dev "the HDF5 library built for
 # Heavy third-party headers come in as SYSTEM: warnings are for perinox's own code.
 add_library(perinox_dependencies INTERFACE)
 target_include_directories(perinox_dependencies SYSTEM INTERFACE
-  ${Trilinos_INCLUDE_DIRS} ${Trilinos_TPL_INCLUDE_DIRS} ${HDF5_C_INCLUDE_DIRS} ${NANOFLANN_INCLUDE_DIR})
+  ${Trilinos_INCLUDE_DIRS} ${Trilinos_TPL_INCLUDE_DIRS} ${HDF5_C_INCLUDE_DIRS} ${NANOFLANN_INCLUDE_DIR}
+  ${PTSCOTCH_INCLUDE_DIR})
 target_compile_definitions(perinox_dependencies INTERFACE ${HDF5_C_DEFINITIONS})
 target_link_libraries(perinox_dependencies INTERFACE
   ${Trilinos_LIBRARIES} ${Trilinos_TPL_LIBRARIES} ${HDF5_C_LIBRARIES} MPI::MPI_CXX MPI::MPI_C
