@@ -17,6 +17,7 @@ struct Body {
   int owned = 0;
   int ghosts = 0;
   GlobalId total = 0;  ///< particles on all ranks
+  double reach = 0;    ///< length: every particle this near to an owned one is on this rank
 
   std::vector<GlobalId> id;        ///< [owned + ghosts]
   std::vector<double> reference;   ///< [(owned + ghosts) * dimension] position X, length
@@ -50,8 +51,8 @@ double horizon_length(const deck::Deck& deck, const Communicator& communicator);
 
 /// Generates or reads the particles, partitions them with Zoltan2 (coordinates, weighted by the number of neighbours
 /// within `reach`), and brings in as ghosts every particle within `reach` of an owned one. Ids do not depend on the
-/// number of ranks. Collective. Throws InputError: empty body, empty set, coincident points, an id out of range,
-/// a malformed cloud.
+/// number of ranks. Collective. Throws InputError on all ranks together: empty body, empty set, particles nearer
+/// to each other than 1e-8 of their spacing, an id out of range, a malformed cloud, more than 2e9 particles.
 Body build(const deck::Deck& deck, const Communicator& communicator, double reach, PartitionReport* report = nullptr);
 
 }  // namespace perinox::body

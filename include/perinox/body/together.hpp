@@ -1,0 +1,26 @@
+#pragma once
+#include <string>
+
+#include "perinox/core/communicator.hpp"
+#include "perinox/core/error.hpp"
+
+namespace perinox::body {
+
+/// Runs `work` on every rank; if it throws InputError on any of them, every rank throws the lowest such rank's sentence.
+/// `work` itself must not communicate. Collective.
+template <class Work>
+void together(const Communicator& communicator, Work&& work) {
+  std::string sentence;
+  try {
+    work();
+  } catch (const InputError& error) {
+    sentence = error.what();
+  }
+  communicator.agree_on_input_error(sentence);
+}
+
+/// Throws `sentence` of the rank with the smallest `order` (a particle's id, a file's line) on every rank; a rank with
+/// nothing to refuse passes an empty sentence. So the sentence does not depend on the number of ranks. Collective.
+void refuse_first(const Communicator& communicator, long long order, const std::string& sentence);
+
+}  // namespace perinox::body

@@ -1,0 +1,179 @@
+#include "perinox/body/body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "perinox/body/cloud.hpp"
+#include "perinox/body/ghosts.hpp"
+#include "perinox/body/lattice.hpp"
+#include "perinox/body/named_sets.hpp"
+#include "perinox/body/neighbor_search.hpp"
+#include "perinox/body/partition.hpp"
+#include "perinox/body/spacing.hpp"
+#include "perinox/body/together.hpp"
+
+namespace perinox::body {
+
+namespace {
+
+/// A rank's particles: those it owns, and its copies of others' within reach.
+struct Share {
+  std::vector<Particle> owned, ghosts;
+
+  std::vector<double> points(int dimension) const {
+    std::vector<double> all = coordinates(owned, dimension);
+    const std::vector<double> others = coordinates(ghosts, dimension);
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+  }
+};
+
+/// Every rank its run of each lattice; a cloud is read by the root alone and spread by the partition.
+std::vector<Particle> make_particles(const deck::Deck& deck, const Communicator& communicator) {
+  std::vector<Particle> all;
+  GlobalId total = 0;
+  for (std::size_t k = 0; k < deck.body.size(); ++k) {
+    const auto part = static_cast<int>(k);
+    std::vector<Particle> some;
+    if (std::holds_alternative<deck::CloudFile>(deck.body[k].shape.form)) {
+      together(communicator, [&] {
+        if (communicator.is_root()) some = read_cloud(deck, part, total);
+      });
+    } else {
+      some = generate(deck, part, total, communicator);
+    }
+    total += communicator.sum(static_cast<long long>(some.size()));
+    if (static_cast<double>(total) > most_lattice_points) {
+      deck::refuse(deck.body[k].location,
+                   fmt::format("the bodies up to {} have {} particles together, more than {:.3g}; make a spacing larger",
+                               deck.body[k].name, total, most_lattice_points));
+    }
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+/// Two particles in one place have no bond direction. The nearest other one suffices to find them, even where a whole
+/// cloud is one point.
+void refuse_coincident(const Share& share, int dimension, const Communicator& communicator) {
+  constexpr double kCoincident = 1e-8;  // of the spacing
+  const std::vector<double> points = share.points(dimension);
+  const NeighborSearch search(points, dimension);
+  std::string sentence;
+  GlobalId first = 0;
+  for (std::size_t i = 0; i < share.owned.size() && sentence.empty(); ++i) {
+    const Particle& particle = share.owned[i];
+    double distance = 0;
+    const LocalIndex j = search.nearest(particle.position.data(), distance, static_cast<LocalIndex>(i));
+    if (j < 0 || distance >= kCoincident * edge_of(particle.volume, dimension)) continue;
+    const auto near = static_cast<std::size_t>(j);
+    const Particle& other = near < share.owned.size() ? share.owned[near] : share.ghosts[near - share.owned.size()];
+    first = particle.id;
+    sentence = fmt::format("particles {} and {} are in the same place ({:g}, {:g}, {:g}); take one of them out, or move "
+                           "the bodies apart so that they do not overlap",
+                           std::min(particle.id, other.id), std::max(particle.id, other.id), particle.position[0],
+                           particle.position[1], particle.position[2]);
+  }
+  refuse_first(communicator, first, sentence);
+}
+
+/// Number of particles within reach of each owned one: the work it will cost.
+std::vector<double> count_neighbors(const Share& share, double reach, int dimension) {
+  const std::vector<double> points = share.points(dimension);
+  const NeighborSearch search(points, dimension);
+  std::vector<double> counts;
+  std::vector<LocalIndex> found;
+  for (const Particle& particle : share.owned) {
+    search.within(particle.position.data(), reach, found);
+    counts.push_back(static_cast<double>(found.size()) - 1);
+  }
+  return counts;
+}
+
+/// Unweighted first, because neighbours can only be counted where they are at hand; then weighted by the counts.
+Share distribute(std::vector<Particle> particles, double reach, int dimension, const Communicator& communicator) {
+  Share share;
+  share.owned = migrate(particles, partition(particles, {}, dimension, communicator), communicator);
+  particles = {};
+  share.ghosts = find_ghosts(share.owned, reach, dimension, communicator);
+  refuse_coincident(share, dimension, communicator);
+  if (communicator.size() == 1) return share;
+
+  const std::vector<double> counts = count_neighbors(share, reach, dimension);
+  share.owned = migrate(share.owned, partition(share.owned, counts, dimension, communicator), communicator);
+  share.ghosts = find_ghosts(share.owned, reach, dimension, communicator);
+  return share;
+}
+
+PartitionReport report_of(const Share& share, double reach, int dimension, const Communicator& communicator) {
+  const auto imbalance = [&](double value) {
+    const double mean = communicator.sum(value) / communicator.size();
+    return mean > 0 ? communicator.max(value) / mean : 1.0;
+  };
+  double bonds = 0;
+  for (const double count : count_neighbors(share, reach, dimension)) bonds += count;
+  PartitionReport report;
+  report.bond_imbalance = imbalance(bonds);
+  report.particle_imbalance = imbalance(static_cast<double>(share.owned.size()));
+  report.owned = communicator.gather(static_cast<long long>(share.owned.size()));
+  report.ghosts = communicator.gather(static_cast<long long>(share.ghosts.size()));
+  return report;
+}
+
+/// Index into deck.materials of every body's material.
+std::vector<int> material_indices(const deck::Deck& deck) {
+  std::vector<int> indices;
+  for (const deck::BodyPart& part : deck.body) {
+    const auto found = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                    [&](const deck::Material& material) { return material.name == part.material; });
+    if (found == deck.materials.end()) {
+      deck::refuse(part.location, fmt::format("the body {} is made of {}, which is not one of the materials; declare "
+                                              "it under materials",
+                                              part.name, part.material));
+    }
+    indices.push_back(static_cast<int>(found - deck.materials.begin()));
+  }
+  return indices;
+}
+
+void append(Body& body, const std::vector<Particle>& particles, const std::vector<int>& materials) {
+  for (const Particle& particle : particles) {
+    body.id.push_back(particle.id);
+    body.volume.push_back(particle.volume);
+    body.part.push_back(particle.part);
+    body.material.push_back(materials[particle.part]);
+    body.reference.insert(body.reference.end(), particle.position.begin(), particle.position.begin() + body.dimension);
+  }
+}
+
+}  // namespace
+
+deck::Point Body::position3(LocalIndex i) const {
+  const double* x = position(i);
+  return {x[0], x[1], dimension == 3 ? x[2] : 0.0};
+}
+
+Body build(const deck::Deck& deck, const Communicator& communicator, double reach, PartitionReport* report) {
+  const double spacing = largest_spacing(deck, communicator);
+  if (!(reach > 0) || !std::isfinite(reach)) throw std::logic_error("the reach of a body must be a positive length");
+  Body body;
+  body.communicator = communicator;
+  body.dimension = deck::unknowns(deck.dimension);
+  body.reach = reach;
+  const std::vector<int> materials = material_indices(deck);
+
+  const Share share = distribute(make_particles(deck, communicator), reach, body.dimension, communicator);
+  body.owned = static_cast<int>(share.owned.size());
+  body.ghosts = static_cast<int>(share.ghosts.size());
+  body.total = communicator.sum(static_cast<long long>(body.owned));
+  append(body, share.owned, materials);
+  append(body, share.ghosts, materials);
+  body.halo = Halo(communicator, body.id, body.owned);
+  body.sets = find_sets(deck, body, spacing);
+  if (report) *report = report_of(share, reach, body.dimension, communicator);
+  return body;
+}
+
+}  // namespace perinox::body

@@ -1,0 +1,61 @@
+#include "perinox/body/partition.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <Zoltan2_BasicVectorAdapter.hpp>
+#include <Zoltan2_PartitioningProblem.hpp>
+#include <Zoltan2_PartitioningSolution.hpp>
+
+namespace perinox::body {
+
+namespace {
+
+using Types = Zoltan2::BasicUserTypes<double, int, GlobalId>;
+using Adapter = Zoltan2::BasicVectorAdapter<Types>;
+
+/// Fewer particles than ranks, or as many: one each, and the ranks beyond stay empty.
+std::vector<int> one_each(const std::vector<Particle>& particles) {
+  std::vector<int> destination;
+  for (const Particle& particle : particles) destination.push_back(static_cast<int>(particle.id));
+  return destination;
+}
+
+}  // namespace
+
+std::vector<int> partition(const std::vector<Particle>& particles, const std::vector<double>& weights, int dimension,
+                           const Communicator& communicator) {
+  const std::size_t count = particles.size();
+  if (communicator.size() == 1) return std::vector<int>(count, 0);
+  if (communicator.sum(static_cast<long long>(count)) <= communicator.size()) return one_each(particles);
+  const bool weighted = communicator.any(!weights.empty());
+
+  // Zoltan2 wants addresses even where a rank has nothing to show: one unused entry keeps them valid.
+  std::vector<GlobalId> ids(count + 1);
+  std::vector<std::vector<double>> columns(static_cast<std::size_t>(dimension), std::vector<double>(count + 1));
+  for (std::size_t i = 0; i < count; ++i) {
+    ids[i] = particles[i].id;
+    for (std::size_t axis = 0; axis < columns.size(); ++axis) columns[axis][i] = particles[i].position[axis];
+  }
+  std::vector<const double*> column_starts;
+  for (const auto& column : columns) column_starts.push_back(column.data());
+  std::vector<double> padded = weights;
+  padded.resize(count + 1);
+  std::vector<const double*> weight_starts;
+  if (weighted) weight_starts.push_back(padded.data());
+  std::vector<int> coordinate_strides, weight_strides;  // empty: each column is contiguous
+  Adapter adapter(static_cast<int>(count), ids.data(), column_starts, coordinate_strides, weight_starts,
+                  weight_strides);
+
+  Teuchos::ParameterList parameters;
+  parameters.set("algorithm", "rcb");
+  parameters.set("num_global_parts", communicator.size());
+  parameters.set("imbalance_tolerance", 1.01);
+  Zoltan2::PartitioningProblem<Adapter> problem(&adapter, &parameters, communicator.mpi());
+  problem.solve();
+
+  std::vector<int> destination(count);
+  const auto* parts = problem.getSolution().getPartListView();
+  for (std::size_t i = 0; i < count; ++i) destination[i] = static_cast<int>(parts[i]);
+  return destination;
+}
+
+}  // namespace perinox::body
