@@ -70,7 +70,7 @@ class Checker {
   Value check_point(const Node& node, const Key& key, const std::string& name) {
     if (node.items.size() != 2 && node.items.size() != 3) {
       refuse(node.location,
-             fmt::format("{} must be a list of 3 numbers (in 2-D 2), but has {}", name, node.items.size()));
+             fmt::format("{} must be a list of 3 numbers, or 2 in 2-D, but has {}", name, node.items.size()));
     }
     Key coordinate;
     coordinate.type = Type::number;
@@ -204,8 +204,9 @@ class Checker {
                                found.size() == 2 ? "both " : "", listing(found, "and")));
   }
 
-  [[noreturn]] static void missing(const Node& node, const Key& key, const std::string& place) {
-    refuse(node.location, fmt::format("{} needs the key {}: {}", place, key.name, key.sentence));
+  [[noreturn]] void missing(const Node& node, const Key& key, const std::string& place) {
+    refuse(node.location, fmt::format("{} needs the key {} ({}): {}", place, key.name, expected(schema_.structure(key)),
+                                      key.sentence));
   }
 
   /// The default of a key that was not written; a Value of kind none if it has none.
@@ -265,7 +266,7 @@ std::string expected(const Key& key) {
     case Type::expression:
       return "a number or a formula";
     case Type::point:
-      return "a list of 3 numbers (in 2-D 2)";
+      return "a list of 3 numbers, or 2 in 2-D";
     case Type::list:
       return "a list";
     case Type::named:

@@ -58,13 +58,14 @@ Key declare_output() {
 }
 
 Key declare_history() {
-  Key element = map_key(
-      "", "One column of history.csv.",
-      {required(text_key("name", "Name of the column.")),
-       text_key("reaction", "Set whose total reaction force is recorded: a set's or body's name, or all."),
-       text_key("displacement", "Set whose mean displacement is recorded: a set's or body's name, or all."),
-       text_key("yielded", "Set whose fraction of particles with plastic flow is recorded."),
-       word_key("component", words::component, "", "Direction of the reaction or displacement; not used by yielded.")});
+  Key element =
+      map_key("", "One column of history.csv.",
+              {required(text_key("name", "Name of the column.")),
+               text_key("reaction", "Set whose total reaction force is recorded: a set's or body's name, or all."),
+               text_key("displacement", "Set whose mean displacement is recorded: a set's or body's name, or all."),
+               text_key("yielded", "Set whose fraction of particles with plastic flow is recorded."),
+               word_key("component", words::component, "",
+                        "Direction; needed by reaction and displacement, not allowed with yielded.")});
   element.place = "a history entry";
   element.alternatives = {{"reaction"}, {"displacement"}, {"yielded"}};
   Key key = list_key("history", "Numbers recorded after every converged step in history.csv.", element);

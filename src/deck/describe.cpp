@@ -26,20 +26,20 @@ class Walker {
       return;
     }
     for (const Key& element : key.element) enter(element, path, short_path);
-    for (const Key& inner : key.keys) add(inner, path, short_path);
+    for (const Key& inner : key.keys) add(inner, path, short_path, is_alternative(key, inner));
     if (!key.picks_model || schema_ == nullptr) return;
     for (const ModelDeclaration& model : schema_->models()) {
-      for (const Key& own : model.keys) add(own, join(path, model.name), short_path);
+      for (const Key& own : model.keys) add(own, join(path, model.name), short_path, false);
     }
   }
 
   std::vector<DescribedKey> found;
 
  private:
-  void add(const Key& key, const std::string& path, const std::string& short_path) {
+  void add(const Key& key, const std::string& path, const std::string& short_path, bool alternative) {
     const std::string full = join(path, key.name);
     const std::string without_model = join(short_path, key.name);
-    found.push_back({full, without_model, &key});
+    found.push_back({full, without_model, &key, alternative});
     enter(key, full, without_model);
   }
 
@@ -120,10 +120,18 @@ std::string type_text(const Key& use, const Schema& schema) {
 
 std::string unit_text(const Key& key) { return key.unit == "-" ? "dimensionless" : key.unit; }
 
-std::string default_text(const Key& key) {
+std::string default_text(const DescribedKey& described) {
+  const Key& key = *described.key;
   if (key.required) return "required";
+  if (described.alternative) return "alternative";
   if (!key.fallback) return "optional";
   return *key.fallback == "{}" || *key.fallback == "[]" ? "optional" : *key.fallback;
+}
+
+bool is_alternative(const Key& map, const Key& key) {
+  if (map.alternatives.size() < 2) return false;
+  return std::any_of(map.alternatives.begin(), map.alternatives.end(),
+                     [&](const auto& group) { return std::count(group.begin(), group.end(), key.name) > 0; });
 }
 
 std::string help_text(const DescribedKey& described, const Schema& schema) {
@@ -131,7 +139,7 @@ std::string help_text(const DescribedKey& described, const Schema& schema) {
   std::string out = fmt::format("{}\n  {}\n", described.path, key.sentence);
   out += fmt::format("  type: {}\n", type_text(key, schema));
   if (!unit_text(key).empty()) out += fmt::format("  unit: {}\n", unit_text(key));
-  const std::string fallback = default_text(key);
+  const std::string fallback = default_text(described);
   out += key.fallback && fallback != "optional" ? fmt::format("  default: {}\n", fallback)
                                                 : fmt::format("  {}\n", fallback);
   if (!range_text(key).empty()) out += fmt::format("  range: {}\n", range_text(key));
@@ -142,7 +150,8 @@ std::string help_text(const DescribedKey& described, const Schema& schema) {
   std::size_t width = 0;
   for (const std::string& name : names_of(holder->keys)) width = std::max(width, name.size());
   for (const Key& inner : holder->keys) {
-    out += fmt::format("    {:<{}}  {} ({})\n", inner.name, width, inner.sentence, default_text(inner));
+    out += fmt::format("    {:<{}}  {} ({})\n", inner.name, width, inner.sentence,
+                       default_text({"", "", &inner, is_alternative(*holder, inner)}));
   }
   if (holder->picks_model) {
     for (const ModelDeclaration& model : schema.models()) {

@@ -13,6 +13,7 @@ struct DescribedKey {
   std::string path;
   std::string path_without_model;
   const Key* key = nullptr;
+  bool alternative = false;  ///< one of several keys that exclude each other
 };
 
 /// Every key of the deck, outer before inner. Shapes within shapes are listed once.
@@ -24,8 +25,10 @@ std::vector<DescribedKey> keys_inside(const Key& key);
 std::string type_text(const Key& key, const Schema& schema);
 /// "length", "dimensionless", or "" for what has no unit.
 std::string unit_text(const Key& key);
-/// "required", the default as YAML, or "optional".
-std::string default_text(const Key& key);
+/// "required", "alternative", "optional", or the default as YAML.
+std::string default_text(const DescribedKey& described);
+/// True if `key` names one of several groups of keys that exclude each other in `map`.
+bool is_alternative(const Key& map, const Key& key);
 /// The key in a few lines for the terminal, with the keys inside it.
 std::string help_text(const DescribedKey& described, const Schema& schema);
 

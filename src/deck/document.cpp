@@ -62,12 +62,24 @@ class TreeBuilder {
   std::size_t nodes_ = 0;
 };
 
+/// True if the line (from 0) starts with blanks and a tab.
+bool is_indented_by_tab(const std::string& yaml, int line) {
+  std::size_t begin = 0;
+  for (int i = 0; i < line && begin != std::string::npos; ++i) {
+    begin = yaml.find('\n', begin);
+    if (begin != std::string::npos) ++begin;
+  }
+  if (begin == std::string::npos) return false;
+  const std::size_t first = yaml.find_first_not_of(' ', begin);
+  return first != std::string::npos && yaml[first] == '\t';
+}
+
 std::string syntax_sentence(const std::string& message) {
   const auto says = [&](const char* part) { return message.find(part) != std::string::npos; };
-  if (says("illegal tab")) return "a tab cannot indent a line in YAML; use blanks";
   if (says("end of sequence flow")) return "the list opened with [ here is not closed, or a comma is missing in it";
   if (says("end of map flow")) return "the map opened with { here is not closed, or a comma is missing in it";
-  if (says("illegal flow end")) return "this closing bracket has no opening one";
+  if (says("illegal flow end"))
+    return "this closing bracket does not fit the bracket that was opened last, or none was opened";
   if (says("illegal map value")) {
     return "a second colon on this line; put each key on a line of its own, or quotes around a text with a colon";
   }
@@ -147,6 +159,9 @@ Node parse_yaml(const std::string& yaml, const std::string& file) {
     refuse({file, error.mark.line + 1, error.mark.column + 1}, "lists and maps are nested far too deep here");
   } catch (const YAML::Exception& error) {
     const bool known = error.mark.line >= 0;
+    if (known && is_indented_by_tab(yaml, error.mark.line)) {
+      refuse({file, error.mark.line + 1, 1}, "a tab cannot indent a line in YAML; use blanks");
+    }
     refuse({file, known ? error.mark.line + 1 : 0, known ? error.mark.column + 1 : 0}, syntax_sentence(error.msg));
   }
   if (documents.size() > 1) {

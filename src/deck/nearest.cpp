@@ -43,7 +43,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
   if (word.empty() || word.size() > longest) return "";
   const std::string wanted = plain(word);
   std::string best;
-  std::size_t best_distance = std::max<std::size_t>(1, wanted.size() / 3) + 1;
+  std::size_t best_distance = std::max<std::size_t>(1, (wanted.size() + 1) / 4) + 1;
   for (const std::string& candidate : candidates) {
     if (candidate.size() > longest) continue;
     const std::size_t distance = edit_distance(wanted, plain(candidate));

@@ -35,7 +35,7 @@ bool ends_with(const std::string& path, const std::string& last) {
 std::string overview(const Schema& schema) {
   std::string out = "The deck's keys (perinox help KEY tells more of one):\n";
   for (const Key& key : schema.root().keys)
-    out += fmt::format("  {:<12}{} ({})\n", key.name, key.sentence, default_text(key));
+    out += fmt::format("  {:<12}{} ({})\n", key.name, key.sentence, default_text({"", "", &key}));
   return out;
 }
 
@@ -73,8 +73,15 @@ std::string Schema::help(const std::string& path) const {
     const std::string hint = did_you_mean(path, candidates);
     refuse({}, path + " is not a key of a deck" + (hint.empty() ? "; perinox help lists the keys" : hint));
   }
+  std::vector<std::string> also;
+  for (const DescribedKey& d : all) {
+    if (words.size() == 1 && matches[0]->path == wanted && d.path != wanted && d.key->name == wanted) {
+      also.push_back(d.path);
+    }
+  }
   std::string out;
   for (const DescribedKey* match : matches) out += (out.empty() ? "" : "\n") + help_text(*match, *this);
+  if (!also.empty()) out += "\nThere is also " + listing(also, "and") + ".\n";
   return out;
 }
 

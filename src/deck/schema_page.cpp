@@ -67,25 +67,26 @@ std::string code(const std::string& text) { return "`" + text + "`"; }
 
 const char* const table_head = "| key | type | unit | default | range | meaning |\n|---|---|---|---|---|---|\n";
 
-std::string row(const std::string& name, const Key& key, const Schema& schema) {
-  const std::string fallback = default_text(key);
+std::string row(const DescribedKey& described, const Schema& schema) {
+  const Key& key = *described.key;
+  const std::string fallback = default_text(described);
   const bool is_value = key.fallback && fallback != "optional";
   const std::string type =
       key.reference.empty() ? type_text(key, schema) : "[" + key.reference + "](#" + key.reference + ")";
-  return fmt::format("| {} | {} | {} | {} | {} | {} |\n", code(cell(name)), cell(type), cell(unit_text(key)),
+  return fmt::format("| {} | {} | {} | {} | {} | {} |\n", code(cell(described.path)), cell(type), cell(unit_text(key)),
                      is_value ? code(cell(fallback)) : fallback, cell(range_text(key)), cell(key.sentence));
 }
 
 std::string table(const std::vector<DescribedKey>& keys, const Schema& schema) {
   if (keys.empty()) return "";
   std::string out = table_head;
-  for (const DescribedKey& described : keys) out += row(described.path, *described.key, schema);
+  for (const DescribedKey& described : keys) out += row(described, schema);
   return out + "\n";
 }
 
 std::string section(const Key& key, const Schema& schema) {
   std::string out = fmt::format("## {}\n\n{}\n\n", key.name, key.sentence);
-  out += table_head + row(key.name, key, schema) + "\n";
+  out += table_head + row({key.name, key.name, &key}, schema) + "\n";
   if (!key.example.empty()) out += "```yaml\n" + key.example + "\n```\n\n";
   const std::vector<DescribedKey> inner = keys_inside(key);
   if (!inner.empty()) out += fmt::format("Inside `{}`:\n\n", key.name) + table(inner, schema);
