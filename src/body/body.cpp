@@ -46,9 +46,10 @@ std::vector<Particle> make_particles(const deck::Deck& deck, const Communicator&
     }
     total += communicator.sum(static_cast<long long>(some.size()));
     if (static_cast<double>(total) > most_lattice_points) {
-      deck::refuse(deck.body[k].location,
-                   fmt::format("the bodies up to {} have {} particles together, more than {:.3g}; make a spacing larger",
-                               deck.body[k].name, total, most_lattice_points));
+      deck::refuse(
+          deck.body[k].location,
+          fmt::format("the bodies up to {} have {} particles together, more than {:.3g}; make a spacing larger",
+                      deck.body[k].name, total, most_lattice_points));
     }
     all.insert(all.end(), some.begin(), some.end());
   }
@@ -71,10 +72,11 @@ void refuse_coincident(const Share& share, int dimension, const Communicator& co
     const auto near = static_cast<std::size_t>(j);
     const Particle& other = near < share.owned.size() ? share.owned[near] : share.ghosts[near - share.owned.size()];
     first = particle.id;
-    sentence = fmt::format("particles {} and {} are in the same place ({:g}, {:g}, {:g}); take one of them out, or move "
-                           "the bodies apart so that they do not overlap",
-                           std::min(particle.id, other.id), std::max(particle.id, other.id), particle.position[0],
-                           particle.position[1], particle.position[2]);
+    sentence = fmt::format(
+        "particles {} and {} are in the same place ({:g}, {:g}, {:g}); take one of them out, or move "
+        "the bodies apart so that they do not overlap",
+        std::min(particle.id, other.id), std::max(particle.id, other.id), particle.position[0], particle.position[1],
+        particle.position[2]);
   }
   refuse_first(communicator, first, sentence);
 }

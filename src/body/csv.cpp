@@ -35,8 +35,9 @@ std::string shown(const char* begin, const char* end) {
 
 std::string read_file(const std::string& path, const deck::Location& asked_at, const std::string& kind) {
   const auto refuse = [&](const char* why) {
-    deck::refuse(asked_at, fmt::format("cannot read {} as {}: {}; check the path, which is relative to the deck's folder",
-                                       path, kind, why));
+    deck::refuse(asked_at,
+                 fmt::format("cannot read {} as {}: {}; check the path, which is relative to the deck's folder", path,
+                             kind, why));
   };
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) refuse(std::strerror(errno));
@@ -88,7 +89,8 @@ void CsvTable::parse(const CsvColumns& columns) {
   while (position < end) {
     ++line_number_;
     line_start_ = position;
-    const auto* line_end = static_cast<const char*>(std::memchr(position, '\n', static_cast<std::size_t>(end - position)));
+    const auto* line_end =
+        static_cast<const char*>(std::memchr(position, '\n', static_cast<std::size_t>(end - position)));
     if (!line_end) line_end = end;
     position = line_end == end ? end : line_end + 1;
     const char* stop = line_end > line_start_ && line_end[-1] == '\r' ? line_end - 1 : line_end;
@@ -153,7 +155,8 @@ void CsvTable::read_row(const char* begin, const char* end) {
     const char *comma = std::find(field, end, ','), *first = field, *last = comma;
     trim(first, last);
     double value = 0;
-    const auto [stop, code] = std::from_chars(first + (last - first > 1 && *first == '+' && first[1] != '-'), last, value);
+    const auto [stop, code] =
+        std::from_chars(first + (last - first > 1 && *first == '+' && first[1] != '-'), last, value);
     if (code == std::errc::result_out_of_range && stop == last) {
       refuse_at(first, fmt::format("{} is too large or too small for a 64-bit number", shown(first, last)));
     }

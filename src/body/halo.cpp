@@ -26,8 +26,8 @@ Teuchos::RCP<const Map> unknowns(const GlobalId* ids, int count, int components,
     for (int c = 0; c < components; ++c) all.push_back(ids[i] * components + c);
   }
   const auto invalid = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new Map(invalid, Teuchos::ArrayView<const GlobalId>(all.data(), static_cast<int>(all.size())), 0,
-                              comm));
+  return Teuchos::rcp(
+      new Map(invalid, Teuchos::ArrayView<const GlobalId>(all.data(), static_cast<int>(all.size())), 0, comm));
 }
 
 /// The exchange for one number of components, with the vectors it goes through: values are copied in and out, so that

@@ -12,8 +12,8 @@ namespace perinox::body {
 
 Lattice::Lattice(const deck::BodyPart& part, int dimension_) : first{}, spacing(part.spacing), dimension(dimension_) {
   if (!(spacing > 0) || !std::isfinite(spacing)) {
-    deck::refuse(part.location, fmt::format("the body {} needs a spacing greater than 0, but has {:g}", part.name,
-                                            spacing));
+    deck::refuse(part.location,
+                 fmt::format("the body {} needs a spacing greater than 0, but has {:g}", part.name, spacing));
   }
   const Bounds box = bounds(part.shape);
   std::array<double, 3> count{1, 1, 1};
@@ -29,10 +29,11 @@ Lattice::Lattice(const deck::BodyPart& part, int dimension_) : first{}, spacing(
   }
   const double points = count[0] * count[1] * count[2];
   if (points > most_lattice_points) {
-    deck::refuse(part.shape.location,
-                 fmt::format("the body {} would have about {:.3g} particles at spacing {:g}, more than {:.3g}; make the "
-                             "spacing larger, or check that spacing and shape are in the same unit",
-                             part.name, points, spacing, most_lattice_points));
+    deck::refuse(
+        part.shape.location,
+        fmt::format("the body {} would have about {:.3g} particles at spacing {:g}, more than {:.3g}; make the "
+                    "spacing larger, or check that spacing and shape are in the same unit",
+                    part.name, points, spacing, most_lattice_points));
   }
   for (std::size_t axis = 0; axis < 3; ++axis) cells[axis] = static_cast<long long>(count[axis]);
 }
@@ -59,10 +60,10 @@ std::vector<Particle> generate(const deck::Deck& deck, int part, GlobalId first_
   }
   const auto count = static_cast<long long>(particles.size());
   if (communicator.sum(count) == 0) {
-    deck::refuse(body.shape.location, fmt::format("the body {} has no particles: none of the {} x {} x {} centres of "
-                                                  "its lattice is inside its shape; make the spacing smaller than {:g}",
-                                                  body.name, lattice.cells[0], lattice.cells[1], lattice.cells[2],
-                                                  lattice.spacing));
+    deck::refuse(body.shape.location,
+                 fmt::format("the body {} has no particles: none of the {} x {} x {} centres of "
+                             "its lattice is inside its shape; make the spacing smaller than {:g}",
+                             body.name, lattice.cells[0], lattice.cells[1], lattice.cells[2], lattice.spacing));
   }
   GlobalId id = first_id + communicator.exclusive_scan(count);
   for (Particle& particle : particles) particle.id = id++;

@@ -67,8 +67,8 @@ struct Find {
     for (std::size_t part = 0; part < deck.body.size(); ++part) {
       if (deck.body[part].name == form.body) return of_part(body, static_cast<int>(part));
     }
-    deck::refuse(set.location, fmt::format("the set {} names the body {}, which the deck does not have", set.name,
-                                           form.body));
+    deck::refuse(set.location,
+                 fmt::format("the set {} names the body {}, which the deck does not have", set.name, form.body));
   }
 };
 
@@ -83,7 +83,8 @@ std::map<std::string, Members> find_sets(const deck::Deck& deck, const Body& bod
   }
   for (const deck::Set& set : deck.sets) {
     if (sets.count(set.name)) {
-      deck::refuse(set.location, fmt::format("the name {} is taken by another set or by a body; choose another", set.name));
+      deck::refuse(set.location,
+                   fmt::format("the name {} is taken by another set or by a body; choose another", set.name));
     }
     Members members;
     together(body.communicator, [&] { members = std::visit(Find{deck, body, set, spacing}, set.form); });

@@ -25,9 +25,8 @@ struct Points {
 
 template <int Dimension>
 struct DimensionTree {
-  using Index =
-      nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points<Dimension>>, Points<Dimension>,
-                                          Dimension, std::uint32_t>;
+  using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points<Dimension>>,
+                                                    Points<Dimension>, Dimension, std::uint32_t>;
   Points<Dimension> points;
   Index index;
   explicit DimensionTree(const std::vector<double>& values)

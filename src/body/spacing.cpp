@@ -25,8 +25,8 @@ double largest_spacing(const deck::Deck& deck, const Communicator& communicator)
         double volume = 0;
         const std::vector<Particle> particles = read_cloud(deck, static_cast<int>(part), 0);
         for (const Particle& particle : particles) volume += particle.volume;
-        largest = std::max(largest,
-                           edge_of(volume / static_cast<double>(particles.size()), deck::unknowns(deck.dimension)));
+        largest =
+            std::max(largest, edge_of(volume / static_cast<double>(particles.size()), deck::unknowns(deck.dimension)));
       } else {
         deck::refuse(body.location, fmt::format("the body {} needs a spacing greater than 0", body.name));
       }
@@ -37,8 +37,8 @@ double largest_spacing(const deck::Deck& deck, const Communicator& communicator)
 }
 
 double horizon_length(const deck::Deck& deck, const Communicator& communicator) {
-  const double length = deck.horizon.length ? *deck.horizon.length
-                                            : deck.horizon.ratio.value_or(0) * largest_spacing(deck, communicator);
+  const double length =
+      deck.horizon.length ? *deck.horizon.length : deck.horizon.ratio.value_or(0) * largest_spacing(deck, communicator);
   if (!(length > 0) || !std::isfinite(length)) {
     deck::refuse(deck.horizon.location, fmt::format("the horizon must be greater than 0, but is {:g}; give either its "
                                                     "ratio to the spacing or its length",

@@ -19,11 +19,11 @@ struct Body {
   GlobalId total = 0;  ///< particles on all ranks
   double reach = 0;    ///< length: every particle this near to an owned one is on this rank
 
-  std::vector<GlobalId> id;        ///< [owned + ghosts]
-  std::vector<double> reference;   ///< [(owned + ghosts) * dimension] position X, length
-  std::vector<double> volume;      ///< [owned + ghosts] 3-D: volume; 2-D: area (unit thickness)
-  std::vector<int> part;           ///< [owned + ghosts] index into deck.body, the block
-  std::vector<int> material;       ///< [owned + ghosts] index into deck.materials
+  std::vector<GlobalId> id;       ///< [owned + ghosts]
+  std::vector<double> reference;  ///< [(owned + ghosts) * dimension] position X, length
+  std::vector<double> volume;     ///< [owned + ghosts] 3-D: volume; 2-D: area (unit thickness)
+  std::vector<int> part;          ///< [owned + ghosts] index into deck.body, the block
+  std::vector<int> material;      ///< [owned + ghosts] index into deck.materials
   Halo halo;
 
   /// Owned particles of each named set, ascending. `all` and every body's name are sets too. No set is empty over all

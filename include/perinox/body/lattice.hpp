@@ -8,11 +8,11 @@
 
 namespace perinox::body {
 
-/// The cubic (2-D: square) lattice of cell centres over a shape's bounding box, centred in it. Along an axis of length L
-/// there are max(1, round(L/spacing)) cells.
+/// The cubic (2-D: square) lattice of cell centres over a shape's bounding box, centred in it. Along an axis of length
+/// L there are max(1, round(L/spacing)) cells.
 struct Lattice {
-  deck::Point first;                 ///< centre of the first cell; 2-D: z = 0
-  double spacing = 0;                ///< length
+  deck::Point first;   ///< centre of the first cell; 2-D: z = 0
+  double spacing = 0;  ///< length
   int dimension = 3;
   std::array<long long, 3> cells{};  ///< along x, y, z; 2-D: one along z
 
@@ -25,8 +25,8 @@ struct Lattice {
 /// More centres than this are taken for a slip of the unit or of a digit, and refused before anything is allocated.
 constexpr double most_lattice_points = 2e9;
 
-/// The particles of one body on this rank: the centres inside the shape, in lexicographic order (x fastest, then y, then
-/// z), each rank a contiguous run of rows. Ids count from `first_id` in that order whatever the number of ranks.
+/// The particles of one body on this rank: the centres inside the shape, in lexicographic order (x fastest, then y,
+/// then z), each rank a contiguous run of rows. Ids count from `first_id` in that order whatever the number of ranks.
 /// Collective. Throws InputError if no centre is inside the shape.
 std::vector<Particle> generate(const deck::Deck& deck, int part, GlobalId first_id, const Communicator& communicator);
 

@@ -24,8 +24,8 @@ class NeighborSearch {
   std::unique_ptr<Tree> tree_;
 };
 
-/// For each of the first `queries` points: all points (except itself) within `radius` of it, in ascending order of local
-/// index. points: [count * dimension]. One k-d tree (nanoflann), O(count log count).
+/// For each of the first `queries` points: all points (except itself) within `radius` of it, in ascending order of
+/// local index. points: [count * dimension]. One k-d tree (nanoflann), O(count log count).
 std::vector<std::vector<LocalIndex>> neighbors_within(const std::vector<double>& points, int dimension, int queries,
                                                       double radius);
 

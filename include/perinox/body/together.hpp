@@ -6,8 +6,8 @@
 
 namespace perinox::body {
 
-/// Runs `work` on every rank; if it throws InputError on any of them, every rank throws the lowest such rank's sentence.
-/// `work` itself must not communicate. Collective.
+/// Runs `work` on every rank; if it throws InputError on any of them, every rank throws the lowest such rank's
+/// sentence. `work` itself must not communicate. Collective.
 template <class Work>
 void together(const Communicator& communicator, Work&& work) {
   std::string sentence;

@@ -1,0 +1,79 @@
+#include "perinox/bonds/crack_surface.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace perinox::bonds {
+
+namespace {
+
+using deck::Point;
+
+constexpr double kEdge = 1e-9;  ///< a crossing this much (relative to the surface) beyond the edge still counts
+
+Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Point scaled(const Point& a, double factor) { return {a[0] * factor, a[1] * factor, a[2] * factor}; }
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// The parallelogram that stands on a segment along z.
+deck::CrackRectangle standing(const deck::CrackSegment& segment) {
+  return {{segment.start[0], segment.start[1], -0.5},
+          {segment.end[0] - segment.start[0], segment.end[1] - segment.start[1], 0},
+          {0, 0, 1}};
+}
+
+}  // namespace
+
+CrackSurface::CrackSurface(const deck::Crack& crack, double tolerance) : tolerance_(tolerance) {
+  if (const auto* disc = std::get_if<deck::CrackDisc>(&crack.form)) {
+    const double length = std::sqrt(dot(disc->normal, disc->normal));
+    if (!(length > 0) || !(disc->radius > 0)) {
+      deck::refuse(crack.location, "the disc needs a normal that is not zero and a radius greater than 0");
+    }
+    origin_ = disc->center;
+    normal_ = scaled(disc->normal, 1 / length);
+    radius_ = disc->radius;
+    return;
+  }
+  const auto* segment = std::get_if<deck::CrackSegment>(&crack.form);
+  const deck::CrackRectangle surface = segment ? standing(*segment) : std::get<deck::CrackRectangle>(crack.form);
+  const Point area = cross(surface.edge1, surface.edge2);
+  const double squared = dot(area, area);
+  if (!(squared > 1e-24 * dot(surface.edge1, surface.edge1) * dot(surface.edge2, surface.edge2))) {
+    deck::refuse(crack.location, segment ? "start and end of the segment are the same point; move one"
+                                         : "the two edges of the rectangle must be two different directions");
+  }
+  origin_ = surface.corner;
+  normal_ = scaled(area, 1 / std::sqrt(squared));
+  dual1_ = scaled(cross(surface.edge2, area), 1 / squared);
+  dual2_ = scaled(cross(area, surface.edge1), 1 / squared);
+}
+
+bool CrackSurface::covers(const Point& in_plane) const {
+  const Point away = minus(in_plane, origin_);
+  if (radius_ > 0) return std::sqrt(dot(away, away)) <= radius_ * (1 + kEdge);
+  const double a = dot(away, dual1_), b = dot(away, dual2_);
+  return a >= -kEdge && a <= 1 + kEdge && b >= -kEdge && b <= 1 + kEdge;
+}
+
+bool CrackSurface::cuts(const Point& one, const Point& other) const {
+  const auto height = [this](const Point& point) {
+    const double above = dot(minus(point, origin_), normal_);
+    return std::abs(above) <= tolerance_ ? 0.0 : above;
+  };
+  double below = height(one), above = height(other);
+  if ((below < 0) == (above < 0)) return false;
+  const Point *low = &one, *high = &other;
+  if (below >= 0) {  // always from the negative side: both directions of a bond round alike
+    std::swap(below, above);
+    std::swap(low, high);
+  }
+  const double share = below / (below - above);
+  const Point along = minus(*high, *low);
+  return covers({(*low)[0] + share * along[0], (*low)[1] + share * along[1], (*low)[2] + share * along[2]});
+}
+
+}  // namespace perinox::bonds
