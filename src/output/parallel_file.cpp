@@ -34,11 +34,10 @@ Handle collective_transfer() {
   return {list, H5Pclose};
 }
 
-hid_t open(const std::string& path, MPI_Comm comm, ParallelFile::Mode mode) {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fapl_mpio(access, comm, MPI_INFO_NULL);
-  if (mode == ParallelFile::Mode::create) return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
-  return H5Fopen(path.c_str(), mode == ParallelFile::Mode::append ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access);
+Handle mpi_access(MPI_Comm comm) {
+  const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_fapl_mpio(list, comm, MPI_INFO_NULL);
+  return {list, H5Pclose};
 }
 
 /// HDF5 text: UTF-8 of any length, ended by a zero.
@@ -53,7 +52,9 @@ Handle text_type() {
 ParallelFile::ParallelFile(std::string path, const Communicator& communicator, Mode mode)
     : path_(std::move(path)), communicator_(communicator) {
   const Silence silence;
-  file_ = open(path_, communicator_.mpi(), mode);
+  const Handle access = mpi_access(communicator_.mpi());  // closed last: every call clears the reason of a failure
+  file_ = mode == Mode::create ? H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
+                               : H5Fopen(path_.c_str(), mode == Mode::append ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access);
   try {
     agree(file_ < 0, mode == Mode::create ? "cannot be created" : "cannot be opened");
   } catch (...) {

@@ -1,0 +1,51 @@
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "perinox/output/tables.hpp"
+#include "support/shuffled_body.hpp"
+
+namespace perinox::output {
+namespace {
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(HistoryTable, HoldsNamedColumnsAndReadsBackToTheSameNumbers) {
+  const test::TemporaryDirectory directory;
+  HistoryTable table(directory / "history.csv", {"pull", "a \"quoted\", name"});
+  solve::StepRecord record = test::step_record(7, 0.1);
+  record.history = {1.0 / 3.0, -2e-300};
+  record.stored_energy = 0.125;
+  record.dissipated_energy = 0.5;
+  record.external_work = 0.625;
+  record.seconds = 1.5;
+  table.row(record);
+  EXPECT_THAT(
+      test::file_lines(directory / "history.csv"),  // read while the table is still open
+      ElementsAre("step,t,pull,\"a \"\"quoted\"\", name\",stored_energy,dissipated_energy,external_work,"
+                  "newton_iterations,linear_iterations,seconds",
+                  "7,0.10000000000000001,0.33333333333333331,-2.0000000000000001e-300,0.125,0.5,0.625,3,47,1.5"));
+  EXPECT_EQ(table.failure(), "");
+}
+
+TEST(ConvergenceTable, HoldsOneRowAnIterationWithItsAttempt) {
+  const test::TemporaryDirectory directory;
+  ConvergenceTable table(directory / "convergence.csv");
+  table.row({2, 0.5, 1, 10, 0.25, 3, 0.75, 12, 0.0625, 0.5}, 3);
+  EXPECT_THAT(test::file_lines(directory / "convergence.csv"),
+              ElementsAre("step,t,attempt,iteration,residual,relative_residual,update,relative_update,"
+                          "linear_iterations,forcing,step_length",
+                          "2,0.5,3,1,10,0.25,3,0.75,12,0.0625,0.5"));
+}
+
+TEST(GrowingFile, KeepsItsFirstFailure) {
+  GrowingFile missing("/nonexistent/table.csv");
+  EXPECT_THAT(missing.failure(), HasSubstr("/nonexistent/table.csv cannot be created: No such file"));
+  GrowingFile full("/dev/full");
+  EXPECT_EQ(full.failure(), "");
+  full.append("1,2,3");
+  EXPECT_THAT(full.failure(), HasSubstr("/dev/full could not be written: No space left on device"));
+}
+
+}  // namespace
+}  // namespace perinox::output
