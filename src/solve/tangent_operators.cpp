@@ -167,6 +167,9 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
   deck::Preconditioner& kind = solver_.linear.preconditioner;
   if (kind == deck::Preconditioner::automatic)
     kind = assembled ? deck::Preconditioner::symmetric_gauss_seidel : deck::Preconditioner::block_jacobi;
+  if (!assembled && kind != deck::Preconditioner::none && kind != deck::Preconditioner::block_jacobi)
+    deck::refuse(solver_.location, "solver.linear.preconditioner: " + name_of(kind) +
+                                       " needs the assembled matrix; set solver.tangent: assembled, or use block-jacobi");
   masked_ = Teuchos::rcp(new Masked(map_, tangent_, prescribed_));
   operator_ = masked_;
   if (assembled) {

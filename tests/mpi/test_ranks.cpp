@@ -1,0 +1,76 @@
+/// 2, 3 and 4 ranks give what one rank gives: displacements, iteration counts.
+#include <gtest/gtest.h>
+
+#include "support/runs.hpp"
+
+namespace perinox::testing {
+namespace {
+
+const char* plane_stress_plate = R"(
+dimension: plane-stress
+body:
+  - {name: plate, shape: {difference: [{box: {min: [0, 0], max: [20, 10]}}, {sphere: {center: [10, 5], radius: 2}}]}, spacing: 0.5, material: steel}
+horizon: {ratio: 3.015}
+influence: inverse
+quadrature: partial-volume
+materials: {steel: {model: elastic, young_modulus: 210e3, poisson_ratio: 0.3}}
+cracks: [{segment: {start: [5, 0], end: [5, 3]}}]
+sets: {left: {where: "x < 1.5"}, right: {where: "x > 18.5"}}
+boundary:
+  - {set: left, displacement: {x: 0, y: 0}}
+  - {set: right, force: {x: "300*t", y: "20*t"}}
+steps: {end: 1, count: 2}
+)";
+
+void compare(const deck::Deck& deck, const char* name) {
+  const Run alone = run_deck(deck, MPI_COMM_SELF);
+  const Run together = run_deck(deck, MPI_COMM_WORLD);
+  ASSERT_EQ(alone.stopped, "");
+  ASSERT_EQ(together.stopped, "");
+  const Communicator world(MPI_COMM_WORLD);
+  const double difference = world.max(relative_difference(together.displacement, alone.displacement));
+  const double force = world.max(relative_difference(together.force, alone.force));
+  ASSERT_EQ(together.records.steps.size(), alone.records.steps.size());
+  int newton = 0, linear = 0;
+  for (std::size_t k = 0; k < alone.records.steps.size(); ++k) {
+    const solve::StepRecord &one = alone.records.steps[k], &many = together.records.steps[k];
+    newton = std::max(newton, std::abs(one.newton_iterations - many.newton_iterations));
+    linear = std::max(linear, std::abs(one.linear_iterations - many.linear_iterations));
+    EXPECT_NEAR(one.stored_energy, many.stored_energy, 1e-9 * one.stored_energy);
+  }
+  if (world.is_root())
+    std::printf("%s on %d ranks: displacement %.1e, force %.1e, iterations differ by at most %d Newton, %d linear\n", name,
+                world.size(), difference, force, newton, linear);
+  // Measured on 2, 3, 4 ranks: printed by the line above.
+  EXPECT_LE(difference, 1e-10);
+  EXPECT_LE(newton, 1);
+  EXPECT_LE(linear, 1);
+}
+
+TEST(Ranks, PlasticCubeMatrixFree) { compare(deck_of(pulled_cube(8, 0.08, 5)), "plastic cube, matrix-free"); }
+
+TEST(Ranks, PlasticCubeAssembled) {
+  compare(deck_of(pulled_cube(6, 0.06, 3), {"solver.tangent=assembled", "solver.linear.preconditioner=jacobi"}),
+          "plastic cube, assembled");
+}
+
+TEST(Ranks, CrackedPlateInPlaneStress) { compare(deck_of(plane_stress_plate), "cracked plate"); }
+
+TEST(Ranks, MoreRanksThanParticles) {
+  const char* three = R"(
+dimension: 3
+body: [{name: row, shape: {box: {min: [0, 0, 0], max: [3, 1, 1]}}, spacing: 1, material: steel}]
+horizon: {ratio: 1.5}
+materials: {steel: {model: elastic, young_modulus: 1, poisson_ratio: 0.25}}
+sets: {first: {ids: [0]}, last: {ids: [2]}, middle: {ids: [1]}}
+boundary:
+  - {set: first, displacement: {x: 0, y: 0, z: 0}}
+  - {set: last, displacement: {x: "0.01*t", y: 0, z: 0}}
+  - {set: middle, displacement: {y: 0, z: 0}}
+steps: {end: 1, count: 1}
+)";
+  compare(deck_of(three), "three particles");
+}
+
+}  // namespace
+}  // namespace perinox::testing

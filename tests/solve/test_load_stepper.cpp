@@ -1,0 +1,155 @@
+/// Load steps: commits, cuts and growth, stops with the reason, energies, forces, reactions.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/runs.hpp"
+
+namespace perinox::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(LoadStepper, EveryWholeStepEndsExactlyWhereTheDeckSays) {
+  const Run run = run_deck(deck_of(pulled_cube(6, 0.03, 3)));
+  ASSERT_EQ(run.stopped, "");
+  ASSERT_EQ(run.records.steps.size(), 3u);
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(run.records.steps[k].step, k + 1);
+    EXPECT_EQ(run.records.steps[k].t, 1.0 * (k + 1) / 3);
+  }
+  EXPECT_TRUE(run.records.steps.back().last);
+}
+
+TEST(LoadStepper, ReactionsBalanceAndPullOutwards) {
+  const Run run = run_deck(deck_of(pulled_cube(6, 0.03, 3)));
+  const std::vector<double>& history = run.records.steps.back().history;
+  EXPECT_GT(history[0], 0);
+  EXPECT_NEAR(history[0] + history[1], 0, 1e-6 * history[0]);
+  EXPECT_NEAR(history[2], 0.03, 1e-14);
+}
+
+TEST(LoadStepper, AFailedStepIsHalvedAndGrownAgain) {
+  // Three iterations do not reach 1e-10 on the long plastic step, but do on a part of it.
+  const deck::Deck deck = deck_of(pulled_cube(6, 0.1, 2), {"solver.newton.max_iterations=3", "solver.newton.tolerance=1e-10"});
+  const Run run = run_deck(deck);
+  ASSERT_EQ(run.stopped, "");
+  ASSERT_FALSE(run.records.rejected.empty());
+  EXPECT_THAT(run.records.reasons.front(), HasSubstr("did not converge in 3 iterations"));
+  std::vector<double> sizes;
+  double before = 0;
+  bool halfway = false;
+  for (const solve::StepRecord& step : run.records.steps) {
+    sizes.push_back(step.t - before);
+    before = step.t;
+    halfway = halfway || step.t == 0.5;
+  }
+  EXPECT_TRUE(halfway) << "a cut step must not jump over the end of a whole one";
+  EXPECT_EQ(before, 1.0);
+  EXPECT_LT(*std::min_element(sizes.begin(), sizes.end()), 0.26);
+  EXPECT_GT(sizes.back(), *std::min_element(sizes.begin(), sizes.end())) << "the step was never grown again";
+  // The same end as without cuts, but for the path's own step-size error.
+  const Run whole = run_deck(deck_of(pulled_cube(6, 0.1, 2), {"solver.newton.tolerance=1e-10"}));
+  EXPECT_NEAR(run.records.steps.back().history[0] / whole.records.steps.back().history[0], 1, 0.02);
+}
+
+TEST(LoadStepper, StopsWithTheReasonAndKeepsTheStepsBefore) {
+  const std::vector<std::string> hopeless{"solver.newton.max_iterations=1", "solver.newton.tolerance=1e-12"};
+  std::vector<std::string> fixed = hopeless;
+  fixed.push_back("steps.adaptive=false");
+  const Run rigid = run_deck(deck_of(pulled_cube(6, 0.1, 20), fixed));
+  EXPECT_THAT(rigid.stopped, HasSubstr("steps.adaptive is false"));
+  EXPECT_THAT(rigid.stopped, HasSubstr("did not converge in 1 iterations"));
+  std::vector<std::string> cut = hopeless;
+  cut.push_back("steps.max_cuts=2");
+  const Run adaptive = run_deck(deck_of(pulled_cube(6, 0.1, 2), cut));
+  EXPECT_THAT(adaptive.stopped, HasSubstr("at its smallest size"));
+  EXPECT_GE(adaptive.records.rejected.size(), 3u);
+  // Nothing of the failed step has leaked into the committed state.
+  for (const auto& [id, u] : adaptive.displacement)
+    for (const double value : u) EXPECT_LE(std::abs(value), adaptive.records.steps.empty() ? 0.0 : 0.1);
+}
+
+TEST(LoadStepper, ExternalWorkIsStoredOrDissipated) {
+  // The trapezoidal work and the backward-Euler dissipation agree as the steps get smaller.
+  double error[2];
+  for (int k = 0; k < 2; ++k) {
+    const Run run = run_deck(deck_of(pulled_cube(6, 0.04, 10 << k)));
+    ASSERT_EQ(run.stopped, "");
+    ASSERT_GT(run.energies.dissipated, 0.1 * run.energies.stored);
+    error[k] = std::abs(run.energies.external_work - run.energies.stored - run.energies.dissipated) /
+               run.energies.external_work;
+  }
+  RecordProperty("error_10_steps", std::to_string(error[0]));
+  std::printf("energy balance: %.2e with 10 steps, %.2e with 20\n", error[0], error[1]);
+  EXPECT_LT(error[0], 2e-2);
+  EXPECT_LT(error[1], 0.7 * error[0]);
+}
+
+TEST(LoadStepper, ElasticWorkIsStored) {
+  const Run run = run_deck(deck_of(pulled_cube(6, 1e-4, 2), {"materials.aluminium.yield_stress.shear=1e9"}));
+  EXPECT_EQ(run.energies.dissipated, 0);
+  EXPECT_NEAR(run.energies.external_work / run.energies.stored, 1, 1e-4);
+}
+
+TEST(LoadStepper, ForcesAreCarriedToTheSupport) {
+  const std::string deck = R"(
+dimension: 3
+body:
+  - {name: bar, shape: {box: {min: [0, 0, 0], max: [4, 4, 8]}}, spacing: 1.0, material: steel}
+horizon: {ratio: 2.015}
+materials:
+  steel: {model: elastic, young_modulus: 210e3, poisson_ratio: 0.3}
+sets: {foot: {where: "z < 2"}, head: {where: "z > 6"}}
+boundary:
+  - {set: foot, displacement: {x: 0, y: 0, z: 0}}
+  - {set: head, force: {z: "100*t"}}
+  - {set: all, body_force: {x: "0.5*t", z: "0.1*x"}}
+steps: {end: 1, count: 2}
+history:
+  - {name: rx, reaction: foot, component: x}
+  - {name: rz, reaction: foot, component: z}
+  - {name: free, reaction: head, component: z}
+)";
+  const Run run = run_deck(deck_of(deck));
+  ASSERT_EQ(run.stopped, "");
+  const std::vector<double>& history = run.records.steps.back().history;
+  EXPECT_NEAR(history[0], -0.5 * 128, 1e-6 * 64);         // body force times volume
+  EXPECT_NEAR(history[1], -(100 + 0.1 * 2.0 * 128), 1e-4);  // total force, and 0.1 x over a mean x of 2
+  EXPECT_NEAR(history[2], 0, 1e-4);
+}
+
+TEST(LoadStepper, AFullyImposedFieldIsEvaluatedAndCommittedWithoutNewton) {
+  const deck::Deck deck = deck_of(R"(
+dimension: 3
+body:
+  - {name: cube, shape: {box: {min: [0, 0, 0], max: [5, 5, 5]}}, spacing: 1.0, material: aluminium}
+horizon: {ratio: 3.015}
+materials:
+  aluminium: {model: elastic-plastic, bulk_modulus: 67.5e3, shear_modulus: 25.9e3, yield_stress: {shear: 117.3}}
+boundary:
+  - {set: all, displacement: {x: "0.02*t*y", y: 0, z: 0}}
+steps: {end: 2, count: 4, adaptive: false}
+history: [{name: yielded, yielded: all}]
+)");
+  const Run run = run_deck(deck);
+  ASSERT_EQ(run.stopped, "");
+  ASSERT_EQ(run.records.steps.size(), 4u);
+  for (const solve::StepRecord& step : run.records.steps) EXPECT_EQ(step.newton_iterations, 0);
+  EXPECT_EQ(run.records.steps.back().history[0], 1.0);
+  EXPECT_GT(run.energies.dissipated, 0);
+}
+
+TEST(LoadStepper, NothingHeldIsRefused) {
+  const deck::Deck deck = deck_of(pulled_cube(4, 0.01, 1), {"boundary=[{set: head, force: {z: 1}}]"});
+  try {
+    run_deck(deck);
+    FAIL() << "a free body was accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("nothing holds the body"));
+  }
+}
+
+}  // namespace
+}  // namespace perinox::testing

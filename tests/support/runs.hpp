@@ -1,0 +1,119 @@
+#pragma once
+/// Runs of decks written in the test itself, and what they leave behind.
+#include <mpi.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "perinox/app/commands.hpp"
+#include "perinox/core/error.hpp"
+#include "perinox/deck/read.hpp"
+#include "perinox/mechanics/scene.hpp"
+#include "perinox/solve/load_stepper.hpp"
+
+namespace perinox::testing {
+
+inline deck::Deck deck_of(const std::string& yaml, const std::vector<std::string>& overrides = {}) {
+  return deck::read_text(yaml, "test.yaml", app::full_schema(), overrides);
+}
+
+/// Keeps every record of a run.
+class Recorder : public solve::Observer {
+ public:
+  void newton_iteration(const solve::NewtonIteration& row) override { iterations.push_back(row); }
+  void step_rejected(double t_from, double t_to, const std::string& reason) override {
+    rejected.push_back({t_from, t_to});
+    reasons.push_back(reason);
+  }
+  void step_committed(const solve::StepRecord& record) override {
+    steps.push_back(record);
+    steps.back().fields.clear();  // they point into the stepper
+  }
+  /// Residuals of the last attempt at one step, iteration 0 first.
+  std::vector<double> residuals(int step) const {
+    std::vector<double> found;
+    for (const solve::NewtonIteration& row : iterations) {
+      if (row.step != step) continue;
+      if (row.iteration == 0) found.clear();
+      found.push_back(row.residual);
+    }
+    return found;
+  }
+
+  std::vector<solve::NewtonIteration> iterations;
+  std::vector<solve::StepRecord> steps;
+  std::vector<std::pair<double, double>> rejected;
+  std::vector<std::string> reasons;
+};
+
+/// A finished run: records, and the final displacement and force by particle id (owned particles of this rank).
+struct Run {
+  Recorder records;
+  std::map<GlobalId, std::vector<double>> displacement, force;
+  std::string stopped;  ///< the reason, if it stopped short
+  solve::Energies energies;
+  std::string preconditioner;
+};
+
+inline Run run_deck(const deck::Deck& deck, MPI_Comm comm = MPI_COMM_SELF) {
+  const Communicator ranks(comm);
+  const mechanics::Scene scene = mechanics::build_scene(deck, ranks);
+  solve::LoadStepper stepper(deck, scene);
+  Run run;
+  try {
+    stepper.run(run.records);
+  } catch (const RunError& error) {
+    run.stopped = error.what();
+  }
+  const int d = scene.dimension();
+  for (LocalIndex i = 0; i < scene.owned(); ++i)
+    for (int c = 0; c < d; ++c) {
+      const auto u = static_cast<std::size_t>(i) * d + c;
+      run.displacement[scene.body().id[i]].push_back(stepper.committed().displacement()[u]);
+      run.force[scene.body().id[i]].push_back(stepper.force()[u]);
+    }
+  run.energies = stepper.energies();
+  run.preconditioner = stepper.newton().system().preconditioner_name();
+  return run;
+}
+
+/// Largest difference over largest size of two fields; the first may hold a part of the second's particles.
+inline double relative_difference(const std::map<GlobalId, std::vector<double>>& part,
+                                  const std::map<GlobalId, std::vector<double>>& whole) {
+  double difference = 0, size = 0;
+  for (const auto& [id, values] : whole)
+    for (const double value : values) size = std::max(size, std::abs(value));
+  for (const auto& [id, values] : part)
+    for (std::size_t c = 0; c < values.size(); ++c)
+      difference = std::max(difference, std::abs(values[c] - whole.at(id)[c]));
+  return size > 0 ? difference / size : difference;
+}
+
+/// Perfectly plastic or hardening aluminium cube of n^3 particles held at both ends in z and pulled by `pull` (mm) over
+/// `steps` steps.
+inline std::string pulled_cube(int n, double pull, int steps, const std::string& extra = "") {
+  const std::string size = std::to_string(n);
+  return R"(
+title: pulled cube
+dimension: 3
+body:
+  - {name: cube, shape: {box: {min: [0, 0, 0], max: [)" + size + ", " + size + ", " + size + R"(]}}, spacing: 1.0, material: aluminium}
+horizon: {ratio: 3.015}
+materials:
+  aluminium: {model: elastic-plastic, bulk_modulus: 67.5e3, shear_modulus: 25.9e3, yield_stress: {shear: 117.3}}
+sets:
+  foot: {where: "z < 2"}
+  head: {where: "z > )" + std::to_string(n - 2) + R"("}
+boundary:
+  - {set: foot, displacement: {x: 0, y: 0, z: 0}}
+  - {set: head, displacement: {x: 0, y: 0, z: ")" + std::to_string(pull) + R"(*t"}}
+steps: {end: 1.0, count: )" + std::to_string(steps) + R"(}
+history:
+  - {name: pull, reaction: head, component: z}
+  - {name: hold, reaction: foot, component: z}
+  - {name: stretch, displacement: head, component: z}
+)" + extra;
+}
+
+}  // namespace perinox::testing
