@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <utility>
 
 #include "perinox/output/agree.hpp"
 #include "perinox/output/parallel_file.hpp"
+#include "perinox/output/reserve.hpp"
 
 namespace perinox::output {
 
@@ -20,7 +20,7 @@ std::vector<double> three_columns(const double* values, std::size_t points, int 
   return wide;
 }
 
-constexpr double header_room = 256 * 1024;  ///< bytes left for HDF5's own bookkeeping and the small files of a step
+constexpr double header_room = 64 * 1024;  ///< bytes for HDF5's own bookkeeping of a step
 }  // namespace
 
 ResultsFile::ResultsFile(std::string directory, std::string title, const std::vector<std::string>& block_names,
@@ -50,16 +50,8 @@ ResultsFile::ResultsFile(std::string directory, std::string title, const std::ve
 }
 
 void ResultsFile::require_room(double numbers) const {
-  std::string sentence;
-  if (communicator_.is_root()) {
-    std::error_code error;
-    const auto space = std::filesystem::space(directory_, error);
-    const double needed = numbers * static_cast<double>(sizeof(double)) + header_room;
-    if (!error && static_cast<double>(space.available) < needed)
-      sentence = fmt::format("{} is left as it is: the next step needs {:.1f} MB and the disk has {:.1f} MB left",
-                             path_, needed / 1e6, static_cast<double>(space.available) / 1e6);
-  }
-  agree_on_run_error(communicator_, sentence);
+  const double bytes = numbers * static_cast<double>(sizeof(double)) + header_room;
+  agree_on_run_error(communicator_, communicator_.is_root() ? reserve(path_, bytes) : std::string());
 }
 
 void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve::Field>& fields) {

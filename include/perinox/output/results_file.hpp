@@ -21,12 +21,13 @@ class ResultsFile {
 
   /// Group /steps/<record.step> with the attributes t, load (the same number), newton_iterations, linear_iterations and
   /// one dataset a field: [n, 3] for vectors (2-D: third column zero), [n] for scalars. Collective. Throws RunError if
-  /// the disk refuses; too little room is noticed before the file is touched.
+  /// the disk refuses; the room is reserved first, so that a full disk leaves the earlier steps whole.
   void write(const solve::StepRecord& record, const std::vector<solve::Field>& fields);
 
   const std::string& path() const { return path_; }
 
  private:
+  /// Reserves room for so many numbers at the end of the file, or RunError on every rank.
   void require_room(double numbers) const;
 
   std::string directory_;
