@@ -49,6 +49,7 @@ std::vector<int> partition(const std::vector<Particle>& particles, const std::ve
   parameters.set("algorithm", "rcb");
   parameters.set("num_global_parts", communicator.size());
   parameters.set("imbalance_tolerance", 1.01);
+  parameters.sublist("zoltan_parameters").set("DEBUG_LEVEL", "0");  // or it prints all its settings
   Zoltan2::PartitioningProblem<Adapter> problem(&adapter, &parameters, communicator.mpi());
   problem.solve();
 

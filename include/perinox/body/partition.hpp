@@ -6,8 +6,8 @@
 
 namespace perinox::body {
 
-/// The rank each of this rank's particles should go to, by Zoltan2's recursive coordinate bisection (formulation of
-/// the partition: equal sums of `weights`, cuts across the longest extent). weights: [particles] or empty for equal
+/// The rank each of this rank's particles should go to, by Zoltan2's recursive coordinate bisection: equal sums
+/// of `weights`, each cut across the longest extent. weights: [particles] or empty for equal
 /// ones. A rank may end up with none. Collective; the answer depends on the particles and the number of ranks only.
 std::vector<int> partition(const std::vector<Particle>& particles, const std::vector<double>& weights, int dimension,
                            const Communicator& communicator);
