@@ -23,8 +23,8 @@ steps: {end: 1, count: 2}
 )";
 
 void compare(const deck::Deck& deck, const char* name) {
-  const Run alone = run_deck(deck, MPI_COMM_SELF);
-  const Run together = run_deck(deck, MPI_COMM_WORLD);
+  const RunResult alone = run_deck(deck, MPI_COMM_SELF);
+  const RunResult together = run_deck(deck, MPI_COMM_WORLD);
   ASSERT_EQ(alone.stopped, "");
   ASSERT_EQ(together.stopped, "");
   const Communicator world(MPI_COMM_WORLD);

@@ -12,7 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(LoadStepper, EveryWholeStepEndsExactlyWhereTheDeckSays) {
-  const Run run = run_deck(deck_of(pulled_cube(6, 0.03, 3)));
+  const RunResult run = run_deck(deck_of(pulled_cube(6, 0.03, 3)));
   ASSERT_EQ(run.stopped, "");
   ASSERT_EQ(run.records.steps.size(), 3u);
   for (int k = 0; k < 3; ++k) {
@@ -23,7 +23,7 @@ TEST(LoadStepper, EveryWholeStepEndsExactlyWhereTheDeckSays) {
 }
 
 TEST(LoadStepper, ReactionsBalanceAndPullOutwards) {
-  const Run run = run_deck(deck_of(pulled_cube(6, 0.03, 3)));
+  const RunResult run = run_deck(deck_of(pulled_cube(6, 0.03, 3)));
   const std::vector<double>& history = run.records.steps.back().history;
   EXPECT_GT(history[0], 0);
   EXPECT_NEAR(history[0] + history[1], 0, 1e-6 * history[0]);
@@ -33,7 +33,7 @@ TEST(LoadStepper, ReactionsBalanceAndPullOutwards) {
 TEST(LoadStepper, AFailedStepIsHalvedAndGrownAgain) {
   // Three iterations do not reach 1e-10 on the long plastic step, but do on a part of it.
   const deck::Deck deck = deck_of(pulled_cube(6, 0.1, 2), {"solver.newton.max_iterations=3", "solver.newton.tolerance=1e-10"});
-  const Run run = run_deck(deck);
+  const RunResult run = run_deck(deck);
   ASSERT_EQ(run.stopped, "");
   ASSERT_FALSE(run.records.rejected.empty());
   EXPECT_THAT(run.records.reasons.front(), HasSubstr("did not converge in 3 iterations"));
@@ -50,7 +50,7 @@ TEST(LoadStepper, AFailedStepIsHalvedAndGrownAgain) {
   EXPECT_LT(*std::min_element(sizes.begin(), sizes.end()), 0.26);
   EXPECT_GT(sizes.back(), *std::min_element(sizes.begin(), sizes.end())) << "the step was never grown again";
   // The same end as without cuts, but for the path's own step-size error.
-  const Run whole = run_deck(deck_of(pulled_cube(6, 0.1, 2), {"solver.newton.tolerance=1e-10"}));
+  const RunResult whole = run_deck(deck_of(pulled_cube(6, 0.1, 2), {"solver.newton.tolerance=1e-10"}));
   EXPECT_NEAR(run.records.steps.back().history[0] / whole.records.steps.back().history[0], 1, 0.02);
 }
 
@@ -58,12 +58,12 @@ TEST(LoadStepper, StopsWithTheReasonAndKeepsTheStepsBefore) {
   const std::vector<std::string> hopeless{"solver.newton.max_iterations=1", "solver.newton.tolerance=1e-12"};
   std::vector<std::string> fixed = hopeless;
   fixed.push_back("steps.adaptive=false");
-  const Run rigid = run_deck(deck_of(pulled_cube(6, 0.1, 20), fixed));
+  const RunResult rigid = run_deck(deck_of(pulled_cube(6, 0.1, 20), fixed));
   EXPECT_THAT(rigid.stopped, HasSubstr("steps.adaptive is false"));
   EXPECT_THAT(rigid.stopped, HasSubstr("did not converge in 1 iterations"));
   std::vector<std::string> cut = hopeless;
   cut.push_back("steps.max_cuts=2");
-  const Run adaptive = run_deck(deck_of(pulled_cube(6, 0.1, 2), cut));
+  const RunResult adaptive = run_deck(deck_of(pulled_cube(6, 0.1, 2), cut));
   EXPECT_THAT(adaptive.stopped, HasSubstr("at its smallest size"));
   EXPECT_GE(adaptive.records.rejected.size(), 3u);
   // Nothing of the failed step has leaked into the committed state.
@@ -75,7 +75,7 @@ TEST(LoadStepper, ExternalWorkIsStoredOrDissipated) {
   // The trapezoidal work and the backward-Euler dissipation agree as the steps get smaller.
   double error[2];
   for (int k = 0; k < 2; ++k) {
-    const Run run = run_deck(deck_of(pulled_cube(6, 0.04, 10 << k)));
+    const RunResult run = run_deck(deck_of(pulled_cube(6, 0.04, 10 << k)));
     ASSERT_EQ(run.stopped, "");
     ASSERT_GT(run.energies.dissipated, 0.1 * run.energies.stored);
     error[k] = std::abs(run.energies.external_work - run.energies.stored - run.energies.dissipated) /
@@ -88,7 +88,7 @@ TEST(LoadStepper, ExternalWorkIsStoredOrDissipated) {
 }
 
 TEST(LoadStepper, ElasticWorkIsStored) {
-  const Run run = run_deck(deck_of(pulled_cube(6, 1e-4, 2), {"materials.aluminium.yield_stress.shear=1e9"}));
+  const RunResult run = run_deck(deck_of(pulled_cube(6, 1e-4, 2), {"materials.aluminium.yield_stress.shear=1e9"}));
   EXPECT_EQ(run.energies.dissipated, 0);
   EXPECT_NEAR(run.energies.external_work / run.energies.stored, 1, 1e-4);
 }
@@ -112,7 +112,7 @@ history:
   - {name: rz, reaction: foot, component: z}
   - {name: free, reaction: head, component: z}
 )";
-  const Run run = run_deck(deck_of(deck));
+  const RunResult run = run_deck(deck_of(deck));
   ASSERT_EQ(run.stopped, "");
   const std::vector<double>& history = run.records.steps.back().history;
   EXPECT_NEAR(history[0], -0.5 * 128, 1e-6 * 64);         // body force times volume
@@ -133,7 +133,7 @@ boundary:
 steps: {end: 2, count: 4, adaptive: false}
 history: [{name: yielded, yielded: all}]
 )");
-  const Run run = run_deck(deck);
+  const RunResult run = run_deck(deck);
   ASSERT_EQ(run.stopped, "");
   ASSERT_EQ(run.records.steps.size(), 4u);
   for (const solve::StepRecord& step : run.records.steps) EXPECT_EQ(step.newton_iterations, 0);

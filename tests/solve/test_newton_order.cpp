@@ -24,7 +24,7 @@ double observed_order(std::vector<double> residuals) {
 }
 
 TEST(NewtonOrder, QuadraticWithTheConsistentTangent) {
-  const Run run = run_deck(deck_of(pulled_cube(8, 0.08, 4, tight)));
+  const RunResult run = run_deck(deck_of(pulled_cube(8, 0.08, 4, tight)));
   ASSERT_EQ(run.stopped, "");
   double best = 0, worst = 10;
   int plastic = 0;
@@ -42,17 +42,27 @@ TEST(NewtonOrder, QuadraticWithTheConsistentTangent) {
 }
 
 TEST(NewtonOrder, LinearWithThePrintedTangent) {
-  const Run run = run_deck(deck_of(pulled_cube(8, 0.08, 4, tight), {"solver.form=printed", "solver.newton.tolerance=1e-8"}));
+  // The printed first coefficient is off by m/3, a factor with a unit (docs/theory.md). At this spacing it is about 2,
+  // so that Newton still converges and its order can be seen; at 1 mm (factor 236) it stalls.
+  const double h = 0.4;
+  const RunResult run =
+      run_deck(deck_of(pulled_cube(8, 0.08 * h, 4, tight, h), {"solver.form=printed", "solver.newton.tolerance=1e-9"}));
+  ASSERT_EQ(run.stopped, "");
   int plastic = 0;
+  double least = 10, most = 0;
   for (const solve::StepRecord& step : run.records.steps) {
     const std::vector<double> residuals = run.records.residuals(step.step);
     fmt::print("printed, step {}: {:.2e}\n", step.step, fmt::join(residuals, " "));
     if (step.dissipated_energy == 0) continue;
     ++plastic;
-    EXPECT_LT(observed_order(residuals), 1.3);
+    least = std::min(least, observed_order(residuals));
+    most = std::max(most, observed_order(residuals));
+    EXPECT_GT(step.newton_iterations, 8) << "the consistent tangent needs 4";
   }
-  fmt::print("printed: {} plastic steps; {}\n", plastic, run.stopped);
-  EXPECT_GE(plastic, 1);
+  fmt::print("printed: observed order {:.2f} to {:.2f} over {} plastic steps\n", least, most, plastic);
+  ASSERT_GE(plastic, 2);
+  EXPECT_GT(least, 0.7);
+  EXPECT_LT(most, 1.3);
 }
 
 }  // namespace

@@ -27,13 +27,13 @@ const Setting settings[] = {
 TEST(TangentSystem, EverySettingGivesTheSameAnswer) {
   // Measured: 4e-12 to 2e-10 at this tolerance (the setting's own name is printed with its value).
   const std::vector<std::string> tight{"solver.newton.tolerance=1e-11", "solver.newton.update_tolerance=1e-5"};
-  const Run reference = run_deck(deck_of(pulled_cube(6, 0.05, 3), tight));
+  const RunResult reference = run_deck(deck_of(pulled_cube(6, 0.05, 3), tight));
   ASSERT_EQ(reference.stopped, "");
   EXPECT_EQ(reference.preconditioner, "block-jacobi");
   for (const Setting& setting : settings) {
     std::vector<std::string> overrides = tight;
     overrides.insert(overrides.end(), setting.overrides.begin(), setting.overrides.end());
-    const Run run = run_deck(deck_of(pulled_cube(6, 0.05, 3), overrides));
+    const RunResult run = run_deck(deck_of(pulled_cube(6, 0.05, 3), overrides));
     ASSERT_EQ(run.stopped, "") << setting.name;
     const double difference = relative_difference(run.displacement, reference.displacement);
     std::printf("%-28s difference %.1e, %d linear iterations in the last step\n", setting.name, difference,

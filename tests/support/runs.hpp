@@ -1,7 +1,10 @@
 #pragma once
 /// Runs of decks written in the test itself, and what they leave behind.
+#include <fmt/format.h>
 #include <mpi.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -48,7 +51,7 @@ class Recorder : public solve::Observer {
 };
 
 /// A finished run: records, and the final displacement and force by particle id (owned particles of this rank).
-struct Run {
+struct RunResult {
   Recorder records;
   std::map<GlobalId, std::vector<double>> displacement, force;
   std::string stopped;  ///< the reason, if it stopped short
@@ -56,11 +59,11 @@ struct Run {
   std::string preconditioner;
 };
 
-inline Run run_deck(const deck::Deck& deck, MPI_Comm comm = MPI_COMM_SELF) {
+inline RunResult run_deck(const deck::Deck& deck, MPI_Comm comm = MPI_COMM_SELF) {
   const Communicator ranks(comm);
   const mechanics::Scene scene = mechanics::build_scene(deck, ranks);
   solve::LoadStepper stepper(deck, scene);
-  Run run;
+  RunResult run;
   try {
     stepper.run(run.records);
   } catch (const RunError& error) {
@@ -90,30 +93,30 @@ inline double relative_difference(const std::map<GlobalId, std::vector<double>>&
   return size > 0 ? difference / size : difference;
 }
 
-/// Perfectly plastic or hardening aluminium cube of n^3 particles held at both ends in z and pulled by `pull` (mm) over
-/// `steps` steps.
-inline std::string pulled_cube(int n, double pull, int steps, const std::string& extra = "") {
-  const std::string size = std::to_string(n);
-  return R"(
+/// Perfectly plastic aluminium cube of n^3 particles of spacing h (mm), two layers held at each end in z, pulled by
+/// `pull` (mm) over `steps` steps.
+inline std::string pulled_cube(int n, double pull, int steps, const std::string& extra = "", double h = 1) {
+  return fmt::format(R"(
 title: pulled cube
 dimension: 3
 body:
-  - {name: cube, shape: {box: {min: [0, 0, 0], max: [)" + size + ", " + size + ", " + size + R"(]}}, spacing: 1.0, material: aluminium}
-horizon: {ratio: 3.015}
+  - {{name: cube, shape: {{box: {{min: [0, 0, 0], max: [{0}, {0}, {0}]}}}}, spacing: {1}, material: aluminium}}
+horizon: {{ratio: 3.015}}
 materials:
-  aluminium: {model: elastic-plastic, bulk_modulus: 67.5e3, shear_modulus: 25.9e3, yield_stress: {shear: 117.3}}
+  aluminium: {{model: elastic-plastic, bulk_modulus: 67.5e3, shear_modulus: 25.9e3, yield_stress: {{shear: 117.3}}}}
 sets:
-  foot: {where: "z < 2"}
-  head: {where: "z > )" + std::to_string(n - 2) + R"("}
+  foot: {{where: "z < {2}"}}
+  head: {{where: "z > {3}"}}
 boundary:
-  - {set: foot, displacement: {x: 0, y: 0, z: 0}}
-  - {set: head, displacement: {x: 0, y: 0, z: ")" + std::to_string(pull) + R"(*t"}}
-steps: {end: 1.0, count: )" + std::to_string(steps) + R"(}
+  - {{set: foot, displacement: {{x: 0, y: 0, z: 0}}}}
+  - {{set: head, displacement: {{x: 0, y: 0, z: "{4}*t"}}}}
+steps: {{end: 1.0, count: {5}}}
 history:
-  - {name: pull, reaction: head, component: z}
-  - {name: hold, reaction: foot, component: z}
-  - {name: stretch, displacement: head, component: z}
-)" + extra;
+  - {{name: pull, reaction: head, component: z}}
+  - {{name: hold, reaction: foot, component: z}}
+  - {{name: stretch, displacement: head, component: z}}
+{6})",
+                     n * h, h, 2 * h, (n - 2) * h, pull, steps, extra);
 }
 
 }  // namespace perinox::testing
