@@ -1,0 +1,49 @@
+# CTest driver: configures, builds and tests; the exit status is non-zero if any of the three fails.
+#   ctest -S ctest/perinox.cmake -V
+# Environment: PERINOX_BUILD_DIR (default build/), PERINOX_JOBS (default: the number of cores).
+# To send the results to a CDash server, set CTEST_DROP_SITE and its companions in a file and name it in
+# PERINOX_DASHBOARD.
+cmake_minimum_required(VERSION 3.20)
+
+get_filename_component(CTEST_SOURCE_DIRECTORY "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
+set(CTEST_BINARY_DIRECTORY "$ENV{PERINOX_BUILD_DIR}")
+if(NOT CTEST_BINARY_DIRECTORY)
+  set(CTEST_BINARY_DIRECTORY "${CTEST_SOURCE_DIRECTORY}/build")
+endif()
+set(jobs "$ENV{PERINOX_JOBS}")
+if(NOT jobs)
+  include(ProcessorCount)
+  ProcessorCount(jobs)
+endif()
+site_name(CTEST_SITE)
+set(CTEST_BUILD_NAME "${CMAKE_HOST_SYSTEM_NAME}-${CMAKE_HOST_SYSTEM_PROCESSOR}")
+
+# A build directory that exists keeps its generator and build type.
+set(options "")
+set(CTEST_CMAKE_GENERATOR Ninja)
+if(EXISTS "${CTEST_BINARY_DIRECTORY}/CMakeCache.txt")
+  file(STRINGS "${CTEST_BINARY_DIRECTORY}/CMakeCache.txt" generator REGEX "^CMAKE_GENERATOR:")
+  string(REGEX REPLACE "^[^=]*=" "" CTEST_CMAKE_GENERATOR "${generator}")
+else()
+  set(options -DCMAKE_BUILD_TYPE=RelWithDebInfo)
+endif()
+
+ctest_start(Experimental)
+ctest_configure(OPTIONS "${options}" RETURN_VALUE failed)
+if(failed)
+  message(FATAL_ERROR "the configuration failed, see above")
+endif()
+ctest_build(PARALLEL_LEVEL ${jobs} RETURN_VALUE failed)
+if(failed)
+  message(FATAL_ERROR "the build failed, see above")
+endif()
+
+set(ENV{CTEST_OUTPUT_ON_FAILURE} 1)
+ctest_test(PARALLEL_LEVEL ${jobs} RETURN_VALUE failed)
+if(NOT "$ENV{PERINOX_DASHBOARD}" STREQUAL "")
+  include("$ENV{PERINOX_DASHBOARD}")
+  ctest_submit()
+endif()
+if(failed)
+  message(FATAL_ERROR "tests failed, see above")
+endif()
