@@ -1,13 +1,13 @@
-/// The library's force and modulus states against derivatives, exact to rounding, of a second implementation: one scalar
-/// potential written straight from the formulas, differentiated once and twice by Sacado, and a force state written
-/// straight from Mitchell's Eq. 24, 28, 40-45, differentiated by complex steps.
+/// The library's force and modulus states against derivatives, exact to rounding, of a second implementation: one
+/// scalar potential written straight from the formulas, differentiated once and twice by Sacado, and a force state
+/// written straight from Mitchell's Eq. 24, 28, 40-45, differentiated by complex steps.
 #include <gtest/gtest.h>
 
 #include <Sacado.hpp>
 #include <complex>
 #include <tuple>
 
-#include "material_table.hpp"
+#include "support/material_table.hpp"
 #include "support/measured.hpp"
 
 namespace perinox::test {
@@ -72,8 +72,7 @@ Scalar trial_norm(const Problem& problem, const std::vector<Scalar>& trial) {
 struct Surface {
   explicit Surface(const Problem& p)
       : start(p.yield_scale() * (p.surface.stress + p.surface.hardening * p.plastic_shear)),
-        slope(p.surface.hardening /
-              (p.surface.hardening + p.alpha() / (p.yield_scale() * p.yield_scale()))) {}
+        slope(p.surface.hardening / (p.surface.hardening + p.alpha() / (p.yield_scale() * p.yield_scale()))) {}
   double start, slope;
 };
 
@@ -84,10 +83,12 @@ Scalar potential(const Problem& problem, const std::vector<Scalar>& extension) {
   const Scalar norm = trial_norm(problem, trial_state(problem, extension));
   const Scalar volumetric = 0.5 * problem.kappa * theta * theta;
   const Surface surface(problem);
-  if (problem.surface.stress == 0 || plain(norm) <= surface.start) return volumetric + norm * norm / (2 * problem.alpha());
+  if (problem.surface.stress == 0 || plain(norm) <= surface.start)
+    return volumetric + norm * norm / (2 * problem.alpha());
   const Scalar beyond = norm - surface.start;
-  return volumetric + (0.5 * surface.start * surface.start + surface.start * beyond +
-                       0.5 * surface.slope * beyond * beyond) / problem.alpha();
+  return volumetric +
+         (0.5 * surface.start * surface.start + surface.start * beyond + 0.5 * surface.slope * beyond * beyond) /
+             problem.alpha();
 }
 
 template <class Scalar>
@@ -100,8 +101,8 @@ std::vector<Scalar> force_state(const Problem& problem, const std::vector<Scalar
   const bool flows = problem.surface.stress > 0 && plain(norm) > surface.start;
   const Scalar scale = flows ? (surface.start + surface.slope * (norm - surface.start)) / norm : Scalar(1.0);
   for (std::size_t j = 0; j < state.size(); ++j)
-    state[j] = scale * state[j] +
-               theta * (f.dimension * problem.kappa / f.weighted_volume * f.influence[j] * f.length[j]);
+    state[j] =
+        scale * state[j] + theta * (f.dimension * problem.kappa / f.weighted_volume * f.influence[j] * f.length[j]);
   return state;
 }
 
@@ -173,7 +174,8 @@ TEST_P(AutomaticDerivative, PotentialOnceAndTwice) {
     force[i] = value.dx(i).val() / family_.weight[i];
     for (int j = 0; j < bonds; ++j) modulus[i][j] = value.dx(i).dx(j) / family_.weight[i];
   }
-  EXPECT_LE(measured("materials: t against Sacado", relative_difference(library.force_state, force)), 1e-12);  // 7.1e-16
+  EXPECT_LE(measured("materials: t against Sacado", relative_difference(library.force_state, force)),
+            1e-12);                                                                                         // 7.1e-16
   EXPECT_LE(measured("materials: modulus against Sacado", difference(library_modulus(), modulus)), 1e-12);  // 5.2e-16
 }
 
@@ -190,22 +192,25 @@ TEST_P(AutomaticDerivative, ForceStateByComplexStep) {
     const std::vector<Complex> moved = force_state(problem_, extension);
     for (int i = 0; i < bonds; ++i) modulus[i][j] = moved[i].imag() / step;
   }
-  EXPECT_LE(measured("materials: modulus against complex step", difference(library_modulus(), modulus)), 1e-12);  // 3.4e-16
+  EXPECT_LE(measured("materials: modulus against complex step", difference(library_modulus(), modulus)),
+            1e-12);  // 3.4e-16
 }
 
 std::vector<MaterialRow> rows_of_the_second_implementation() {
   std::vector<MaterialRow> rows;
   for (const MaterialRow& row : material_table())
-    for (const char* name : {"elastic", "elastic_plane_strain", "plastic_perfect", "plastic_hardening",
-                             "plastic_continuum_hardening"})
+    for (const char* name :
+         {"elastic", "elastic_plane_strain", "plastic_perfect", "plastic_hardening", "plastic_continuum_hardening"})
       if (row.name == name) rows.push_back(row);
   return rows;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Materials, AutomaticDerivative,
-    ::testing::Combine(::testing::ValuesIn(rows_of_the_second_implementation()), ::testing::ValuesIn(load_paths())),
-    [](const auto& one) { return std::get<0>(one.param).name + "_" + std::get<1>(one.param).name; });
+INSTANTIATE_TEST_SUITE_P(Materials, AutomaticDerivative,
+                         ::testing::Combine(::testing::ValuesIn(rows_of_the_second_implementation()),
+                                            ::testing::ValuesIn(load_paths())),
+                         [](const auto& one) {
+                           return std::get<0>(one.param).name + "_" + std::get<1>(one.param).name;
+                         });
 
 }  // namespace
 }  // namespace perinox::test

@@ -1,5 +1,5 @@
-/// Any two of the five elastic constants give the same material; too few and contradictory ones are refused in a sentence
-/// that names the deck's line (formulation 1).
+/// Any two of the five elastic constants give the same material; too few and contradictory ones are refused in a
+/// sentence that names the deck's line (formulation 1).
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -62,7 +62,7 @@ TEST(ElasticConstants, AllTenPairsGiveTheSameMaterial) {
         SCOPED_TRACE(fmt::format("{}: {} and {}", solid.name, five[a].first, five[b].first));
         const ElasticConstants found = elastic_constants(elastic_of({five[a], five[b]}));
         // Pairs with Poisson's ratio divide by 1 - 2 nu, which amplifies rounding 250 times for the rubber.
-        EXPECT_LE(test::measured("elastic constants: k", std::abs(found.bulk / solid.bulk - 1)), 1e-12);  // 1.4e-14
+        EXPECT_LE(test::measured("elastic constants: k", std::abs(found.bulk / solid.bulk - 1)), 1e-12);     // 1.4e-14
         EXPECT_LE(test::measured("elastic constants: mu", std::abs(found.shear / solid.shear - 1)), 1e-12);  // 1.5e-14
       }
     EXPECT_EQ(pairs, 10);
@@ -82,7 +82,8 @@ TEST(ElasticConstants, DerivedOnesAndTheTwoDimensionalBulkModulus) {
 }
 
 TEST(ElasticConstants, TooFewAreRefused) {
-  EXPECT_THAT(refusal(elastic_of({})), HasSubstr("plate.yaml:6:3: material steel needs two elastic constants and has 0"));
+  EXPECT_THAT(refusal(elastic_of({})),
+              HasSubstr("plate.yaml:6:3: material steel needs two elastic constants and has 0"));
   EXPECT_THAT(refusal(elastic_of({{"young_modulus", 200e9}})),
               ::testing::AllOf(HasSubstr("plate.yaml:6:3: material steel needs two elastic constants and has 1"),
                                HasSubstr("bulk_modulus, shear_modulus, young_modulus, poisson_ratio, lame_lambda")));
@@ -145,7 +146,8 @@ TEST(Registry, RefusesPlasticityInTwoDimensions) {
     make(plastic_of("shear", 1e8, "shear", 0), deck::Dimension::plane_strain);
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("plate.yaml:6:3: material steel is elastic-plastic, which this version has in 3-D"));
+    EXPECT_THAT(error.what(),
+                HasSubstr("plate.yaml:6:3: material steel is elastic-plastic, which this version has in 3-D"));
   }
 }
 

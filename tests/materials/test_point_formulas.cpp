@@ -5,7 +5,7 @@
 
 #include <tuple>
 
-#include "material_table.hpp"
+#include "support/material_table.hpp"
 #include "support/measured.hpp"
 
 namespace perinox::test {
@@ -24,8 +24,8 @@ class PointFormulas : public ::testing::TestWithParam<std::tuple<MaterialRow, Lo
         point_(*material_, family_) {
     const auto& stops = path().stops;
     for (std::size_t s = 0; s < stops.size(); ++s) {
-      // The dilatation changes from stop to stop and must not matter to the flow. (Where dilatation is off it does: kept
-      // too small to make the elastic stops flow.)
+      // The dilatation changes from stop to stop and must not matter to the flow. (Where dilatation is off it does:
+      // kept too small to make the elastic stops flow.)
       extension_ = random_extension(family_, stops[s].shear * yield_strain,
                                     (0.3 - 0.2 * static_cast<double>(s)) * yield_strain, stops[s].direction);
       if (s + 1 < stops.size()) point_.commit(point_.evaluate(extension_));
@@ -58,8 +58,8 @@ class PointFormulas : public ::testing::TestWithParam<std::tuple<MaterialRow, Lo
   Vector extension_;
 };
 
-// Steps of the difference quotients, relative to the yield extension of a bond of unit length: small beside the distance
-// of every state to the yield surface (0.1 yield strains at least), large beside rounding.
+// Steps of the difference quotients, relative to the yield extension of a bond of unit length: small beside the
+// distance of every state to the yield surface (0.1 yield strains at least), large beside rounding.
 const double steps[] = {1e-1, 3e-2, 1e-2, 3e-3, 1e-3};
 
 TEST_P(PointFormulas, FlowsWhereThePathSaysSo) {
@@ -77,8 +77,8 @@ TEST_P(PointFormulas, ForceStateIsTheDerivativeOfThePotential) {
     for (int j = 0; j < bonds; ++j) {
       Vector unit(bonds, 0.0);
       unit[j] = 1;
-      quotient[j] = derivative(unit, step * yield_strain, [](const Evaluation& e) { return e.potential(); }) /
-                    family_.weight[j];
+      quotient[j] =
+          derivative(unit, step * yield_strain, [](const Evaluation& e) { return e.potential(); }) / family_.weight[j];
     }
     best = std::min(best, relative_difference(quotient, force_state));
   }
@@ -115,8 +115,8 @@ TEST_P(PlasticPointFormulas, PlasticExtensionStaysDeviatoric) {
   if (!row().surface[0].volume_preserving || path().name == "elastic") return;  // another flow, or none yet
   const Vector plastic = point_.evaluate(extension_).bond_history;
   const double sum = family_.influence_dot(family_.length, plastic);
-  const double scale = std::sqrt(family_.influence_dot(family_.length, family_.length) *
-                                 family_.influence_dot(plastic, plastic));
+  const double scale =
+      std::sqrt(family_.influence_dot(family_.length, family_.length) * family_.influence_dot(plastic, plastic));
   ASSERT_GT(scale, 0);
   EXPECT_LE(measured("materials: volume of the plastic extension", std::abs(sum) / scale), 1e-14);  // 1.4e-16
 }
@@ -143,7 +143,8 @@ TEST_P(PlasticPointFormulas, EndsOnTheYieldSurfaceAndStaysThere) {
     EXPECT_EQ(now.bond_history, point_.committed_bond());
     return;
   }
-  EXPECT_LE(measured("materials: distance to the yield surface", std::abs(std::sqrt(square) / beta - 1)), 1e-14);  // 3.3e-16
+  EXPECT_LE(measured("materials: distance to the yield surface", std::abs(std::sqrt(square) / beta - 1)),
+            1e-14);  // 3.3e-16
 
   // What is dissipated is t_d . e_p of the step, which is Delta lambda beta^2.
   const double lambda = now.point_history.at(0) - point_.committed_point().at(0);
@@ -155,7 +156,8 @@ TEST_P(PlasticPointFormulas, EndsOnTheYieldSurfaceAndStaysThere) {
   for (int j = 0; j < bonds; ++j)
     work += (now.force_state[j] - pressure * family_.influence[j] * family_.length[j]) *
             (now.bond_history[j] - point_.committed_bond()[j]) * family_.weight[j];
-  EXPECT_LE(measured("materials: dissipation against t_d . de_p", std::abs(now.response.dissipation / work - 1)), 1e-14);  // 6.7e-16
+  EXPECT_LE(measured("materials: dissipation against t_d . de_p", std::abs(now.response.dissipation / work - 1)),
+            1e-14);  // 6.7e-16
 
   // The state reached is an elastic one of the next step.
   MaterialPoint next = point_;
@@ -164,7 +166,8 @@ TEST_P(PlasticPointFormulas, EndsOnTheYieldSurfaceAndStaysThere) {
   EXPECT_FALSE(again.response.yielding);
   EXPECT_EQ(again.response.dissipation, 0);
   EXPECT_EQ(again.point_history, now.point_history);
-  EXPECT_LE(measured("materials: force after commit", relative_difference(again.force_state, now.force_state)), 2e-14);  // 9.5e-16
+  EXPECT_LE(measured("materials: force after commit", relative_difference(again.force_state, now.force_state)),
+            2e-14);  // 9.5e-16
 }
 
 std::string name_of_case(const ::testing::TestParamInfo<PointFormulas::ParamType>& info) {

@@ -21,8 +21,8 @@ class SingleBond : public ::testing::Test {
  protected:
   SingleBond() {
     family_.length = family_.influence = family_.weight = {1.0};
-    family_.weighted_volume = 1;                        // omega xi^2 V
-    family_.continuum_weighted_volume = 4 * pi / 5;     // 4 pi delta^5/5
+    family_.weighted_volume = 1;                     // omega xi^2 V
+    family_.continuum_weighted_volume = 4 * pi / 5;  // 4 pi delta^5/5
   }
   /// Small strain: e = xi gamma cos(45) sin(45) (Eq. 48).
   static Vector extension(double gamma) { return {0.5 * gamma}; }

@@ -1,5 +1,6 @@
 #pragma once
-/// Families made by hand, for the point formulas: random bonds, weights of unequal neighbours, every influence function.
+/// Families made by hand, for the point formulas: random bonds, weights of unequal neighbours, every influence
+/// function.
 #include <cmath>
 #include <memory>
 #include <random>
@@ -105,8 +106,7 @@ inline Vector random_extension(const RandomFamily& family, double shear, double 
   Vector extension = random_values(family.length.size(), seed);
   const double theta = family.dilatation(extension);
   for (std::size_t j = 0; j < extension.size(); ++j) extension[j] -= theta * family.length[j] / d;
-  const double unit =
-      std::sqrt(d * (d + 2) / family.weighted_volume * family.influence_dot(extension, extension));
+  const double unit = std::sqrt(d * (d + 2) / family.weighted_volume * family.influence_dot(extension, extension));
   for (std::size_t j = 0; j < extension.size(); ++j)
     extension[j] = extension[j] * shear / unit + dilatation * family.length[j] / d;
   return extension;

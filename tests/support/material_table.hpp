@@ -15,9 +15,9 @@ namespace perinox::test {
 /// Steel-like constants in units that make stresses of order 100 (MPa): Mitchell's section 8.
 constexpr double bulk = 67.5e3;
 constexpr double shear = 25.9e3;
-constexpr double yield_shear = 117.26;                      // about 203.1/sqrt(3)
-constexpr double yield_strain = yield_shear / shear;        // shear strain at first yield
-constexpr double hardening_shear = 0.1 * shear;             // strong enough to tell from perfect plasticity
+constexpr double yield_shear = 117.26;                // about 203.1/sqrt(3)
+constexpr double yield_strain = yield_shear / shear;  // shear strain at first yield
+constexpr double hardening_shear = 0.1 * shear;       // strong enough to tell from perfect plasticity
 
 /// What an elastic-plastic row promises beyond its potential.
 struct YieldSurface {
@@ -46,8 +46,8 @@ inline std::vector<MaterialRow> material_table() {
   };
   const auto plastic = [](const YieldSurface& surface) {
     return [=] {
-      return std::make_unique<ElasticPlastic>(ElasticPlastic::Parameters{
-          bulk, shear, surface.stress, surface.hardening, surface.continuum, surface.volume_preserving});
+      return std::make_unique<ElasticPlastic>(ElasticPlastic::Parameters{bulk, shear, surface.stress, surface.hardening,
+                                                                         surface.continuum, surface.volume_preserving});
     };
   };
   const YieldSurface perfect{yield_shear, 0, false, true};
@@ -84,12 +84,9 @@ struct LoadPath {
 
 inline std::vector<LoadPath> load_paths() {
   return {
-      {"elastic", {{0.5, 1}}, false},
-      {"loading", {{3.0, 1}}, true},
-      {"turning", {{3.0, 1}, {3.5, 2}}, true},
-      {"unloading", {{3.0, 1}, {2.6, 1}}, false},
-      {"reverse", {{3.0, 1}, {-3.0, 1}}, true},
-      {"reloading", {{3.0, 1}, {-3.0, 1}, {4.0, 1}}, true},
+      {"elastic", {{0.5, 1}}, false},           {"loading", {{3.0, 1}}, true},
+      {"turning", {{3.0, 1}, {3.5, 2}}, true},  {"unloading", {{3.0, 1}, {2.6, 1}}, false},
+      {"reverse", {{3.0, 1}, {-3.0, 1}}, true}, {"reloading", {{3.0, 1}, {-3.0, 1}, {4.0, 1}}, true},
   };
 }
 
