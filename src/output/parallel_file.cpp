@@ -157,6 +157,7 @@ void ParallelFile::set_attribute(const std::string& object, const std::string& n
 void ParallelFile::set_attribute(const std::string& object, const std::string& name,
                                  const std::vector<std::string>& values) {
   std::vector<const char*> texts;
+  texts.reserve(values.size());
   for (const std::string& value : values) texts.push_back(value.c_str());
   const std::size_t count = texts.size();
   write_attribute(object, name, text_type(), texts.data(), &count);
@@ -176,7 +177,7 @@ std::string ParallelFile::text_attribute(const std::string& object, const std::s
   const Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   char* read = nullptr;
   agree(attribute.failed() || H5Aread(attribute, text_type(), &read) < 0, "has no text " + name + " at " + object);
-  const std::string text = read == nullptr ? "" : read;
+  std::string text = read == nullptr ? "" : read;
   H5free_memory(read);
   return text;
 }

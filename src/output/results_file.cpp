@@ -23,7 +23,7 @@ std::vector<double> three_columns(const double* values, std::size_t points, int 
 constexpr double header_room = 64 * 1024;  ///< bytes for HDF5's own bookkeeping of a step
 }  // namespace
 
-ResultsFile::ResultsFile(std::string directory, std::string title, const std::vector<std::string>& block_names,
+ResultsFile::ResultsFile(std::string directory, const std::string& title, const std::vector<std::string>& block_names,
                          const body::Body& body)
     : directory_(std::move(directory)),
       path_(directory_ + "/results.h5"),

@@ -16,7 +16,7 @@ class ResultsFile {
  public:
   /// Creates the file (replacing one of that name) with the group /particles. block_names: of the deck's bodies, in the
   /// order that body.part counts. Collective. Throws RunError: path and reason.
-  ResultsFile(std::string directory, std::string title, const std::vector<std::string>& block_names,
+  ResultsFile(std::string directory, const std::string& title, const std::vector<std::string>& block_names,
               const body::Body& body);
 
   /// Group /steps/<record.step> with the attributes t, load (the same number), newton_iterations, linear_iterations and
