@@ -1,7 +1,6 @@
 #include "perinox/output/run_writer.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -83,7 +82,7 @@ RunWriter::RunWriter(const deck::Deck& deck, const body::Body& body, std::string
   const std::string moved = prepare_directory(files.directory, files.communicator);
   std::string failure;
   if (files.communicator.is_root()) {
-    if (!quiet) files.terminal.emplace(std::cout, ::isatty(STDOUT_FILENO) != 0);
+    if (!quiet) files.terminal.emplace(std::cout, screen_is_watched());
     if (files.terminal && !moved.empty()) files.terminal->say(moved);
     files.history.emplace(files.directory + "/history.csv", history_names(deck));
     files.convergence.emplace(files.directory + "/convergence.csv");

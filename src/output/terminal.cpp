@@ -1,8 +1,11 @@
 #include "perinox/output/terminal.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 
 namespace perinox::output {
 
@@ -11,6 +14,15 @@ constexpr const char* erase_line = "\r\033[K";
 
 std::string plural(int count, const char* noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
 }  // namespace
+
+bool screen_is_watched() {
+  const char* kind = std::getenv("TERM");
+  if (::isatty(STDOUT_FILENO) == 0 || kind == nullptr || std::string(kind) == "dumb") return false;
+  if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr && std::getenv("PMI_RANK") == nullptr) return true;
+  std::error_code error;
+  const std::string launcher = std::filesystem::read_symlink(fmt::format("/proc/{}/fd/1", ::getppid()), error).string();
+  return !error && launcher.rfind("/dev/", 0) == 0 && launcher != "/dev/null";
+}
 
 std::string duration(double seconds) {
   if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);

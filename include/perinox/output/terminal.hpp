@@ -29,6 +29,10 @@ class Terminal {
   std::string end_;
 };
 
+/// True where standard output ends on a person's screen. A rank under mpirun always writes to a pseudo-terminal, even
+/// when mpirun's own output goes to a file; there mpirun's output decides.
+bool screen_is_watched();
+
 /// `75 s` -> `1 min 15 s`; coarser as it grows.
 std::string duration(double seconds);
 
