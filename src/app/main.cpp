@@ -3,11 +3,13 @@
 
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
 #include "perinox/app/commands.hpp"
 #include "perinox/core/error.hpp"
+#include "perinox/deck/read.hpp"
 
 namespace {
 
@@ -42,6 +44,13 @@ int command_line(int argc, char** argv, const perinox::Communicator& ranks) {
   help->add_flag("--page", page, "print the whole reference page, docs/deck.md");
   help->add_flag("--json-schema", json_schema, "print the deck's JSON Schema for editors");
 
+  const std::vector<std::string> commands{"run", "check", "verify", "help"};
+  if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
+    const std::string hint = deck::nearest(argv[1], commands);
+    say(ranks, "perinox: ", fmt::format("{} is not a command{}; perinox --help lists the commands", argv[1],
+                                        hint.empty() ? "" : ", did you mean " + hint + "?"));
+    return 2;
+  }
   try {
     cli.parse(argc, argv);
   } catch (const CLI::Success& message) {  // --help, --version
@@ -60,7 +69,11 @@ int command_line(int argc, char** argv, const perinox::Communicator& ranks) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const Tpetra::ScopeGuard guard(&argc, &argv);
+  // Kokkos takes --help and other options for its own: it is shown the program's name alone.
+  int shown = 1;
+  char* name_only[] = {argv[0], nullptr};
+  char** names = name_only;
+  const Tpetra::ScopeGuard guard(&shown, &names);
   const perinox::Communicator ranks;
   try {
     return command_line(argc, argv, ranks);

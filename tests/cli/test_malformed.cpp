@@ -1,0 +1,380 @@
+/// One mistake a row, in a deck, a point cloud or a displacement table: `perinox check` ends with status 2, says
+/// exactly one line, which names the place and what to do, and leaves nothing behind.
+#include <ostream>
+
+#include "decks.hpp"
+#include "program.hpp"
+
+namespace perinox::cli {
+namespace {
+
+struct Mistake {
+  const char* name;
+  const std::string* deck;  ///< that is right before `from` is replaced by `to`
+  const char* from;
+  const char* to;
+  const char* sentence;  ///< all that is said; {dir} stands for the folder
+};
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; }
+
+const Mistake mistakes_in_decks[] = {
+    {"tab_indentation", &base_deck, "    spacing: 1.0", "\tspacing: 1.0",
+     "deck.yaml:6:1: a tab cannot indent a line in YAML; use blanks"},
+    {"list_not_closed", &base_deck, "min: [0, 0, 0]", "min: [0, 0, 0",
+     "deck.yaml:5:48: this closing bracket does not fit the bracket that was opened last, or none was opened"},
+    {"map_not_closed", &base_deck, "steps: {end: 1.0, count: 2}", "steps: {end: 1.0, count: 2",
+     "deck.yaml:24:7: the map opened with { here is not closed, or a comma is missing in it"},
+    {"quotes_not_closed", &base_deck, "\"z < 1\"", "\"z < 1",
+     "deck.yaml:19:18: the map opened with { here is not closed, or a comma is missing in it"},
+    {"two_documents", &base_deck, "sets:\n", "---\nsets:\n",
+     "deck.yaml:18:1: a second YAML document starts here; a deck is one document, so remove the line ---"},
+    {"key_without_value", &base_deck, "spacing: 1.0",
+     "spacing:", "deck.yaml:6:5: spacing has no value; give it a number or remove it"},
+    {"key_twice", &base_deck, "influence: constant\n", "influence: constant\ninfluence: inverse\n",
+     "deck.yaml:10:1: influence is written twice in a deck (first at line 9); remove one"},
+    {"unknown_key_of_a_deck", &base_deck,
+     "influence:", "influense:", "deck.yaml:9:1: influense is not a key of a deck; did you mean influence?"},
+    {"unknown_key_of_a_body", &base_deck,
+     "    spacing:", "    spaceing:", "deck.yaml:6:5: spaceing is not a key of a body; did you mean spacing?"},
+    {"unknown_shape", &base_deck, "{box:", "{cube:",
+     "deck.yaml:5:13: cube is not a key of a shape; its keys are box, cylinder, sphere, plate_with_hole, union, "
+     "difference and file"},
+    {"unknown_key_of_a_box", &base_deck, "max: [3, 3, 4]", "maxx: [3, 3, 4]",
+     "deck.yaml:5:35: maxx is not a key of body.0.shape.box; did you mean max?"},
+    {"unknown_key_of_horizon", &base_deck, "{ratio: 2.015}", "{ration: 2.015}",
+     "deck.yaml:8:11: ration is not a key of horizon; did you mean ratio?"},
+    {"unknown_key_of_a_material", &base_deck, "yield_stress", "yield_stess",
+     "deck.yaml:16:5: yield_stess is not a key of a material; did you mean yield_stress?"},
+    {"unknown_test_of_yield_stress", &base_deck, "{tension: 203.1}", "{torsion: 203.1}",
+     "deck.yaml:16:20: torsion is not a key of materials.steel.yield_stress; did you mean tension?"},
+    {"unknown_key_of_a_set", &base_deck,
+     "head: {where:", "head: {wher:", "deck.yaml:19:10: wher is not a key of a set; did you mean where?"},
+    {"unknown_key_of_a_load", &base_deck, "{set: foot, displacement:", "{set: foot, displacements:",
+     "deck.yaml:21:17: displacements is not a key of a load; did you mean displacement?"},
+    {"unknown_component", &base_deck, "{z: \"0.01*t\"}", "{w: \"0.01*t\"}",
+     "deck.yaml:22:32: w is not a key of boundary.1.displacement; its keys are x, y, z and table"},
+    {"unknown_key_of_steps", &base_deck, "count: 2", "number: 2",
+     "deck.yaml:23:19: number is not a key of steps; its keys are end, count, adaptive and max_cuts"},
+    {"unknown_key_of_solver", &base_deck, "tangent: matrix-free", "tangents: matrix-free",
+     "deck.yaml:25:3: tangents is not a key of solver; did you mean tangent?"},
+    {"unknown_key_of_newton", &base_deck, "{tolerance: 1e-8}", "{tol: 1e-8}",
+     "deck.yaml:26:12: tol is not a key of solver.newton; did you mean tolerance?"},
+    {"unknown_key_of_linear", &base_deck, "{preconditioner: automatic}", "{precond: automatic}",
+     "deck.yaml:27:12: precond is not a key of solver.linear; did you mean preconditioner?"},
+    {"unknown_key_of_output", &base_deck, "{every: 1,", "{evry: 1,",
+     "deck.yaml:28:10: evry is not a key of output; did you mean every?"},
+    {"unknown_key_of_history", &base_deck, "component: z}", "direction: z}",
+     "deck.yaml:30:34: direction is not a key of a history entry; its keys are name, reaction, displacement, "
+     "yielded and component"},
+    {"unknown_crack", &base_deck, "materials:\n",
+     "cracks: [{disk: {center: [0, 0, 1], normal: [0, 0, 1], radius: 1}}]\nmaterials:\n",
+     "deck.yaml:11:11: disk is not a key of a crack; did you mean disc?"},
+    {"missing_dimension", &base_deck, "dimension: 3\n", "",
+     "deck.yaml:1:1: a deck needs the key dimension (one of 3, plane-strain or plane-stress): 3 for a solid, or a "
+     "plane state with two unknowns a particle."},
+    {"missing_horizon", &base_deck, "horizon: {ratio: 2.015}\n", "",
+     "deck.yaml:1:1: a deck needs the key horizon (a map with exactly one of ratio or length): Distance up to "
+     "which two particles interact."},
+    {"missing_yield_stress", &base_deck, "    yield_stress: {tension: 203.1}\n", "",
+     "deck.yaml:13:5: a material needs the key yield_stress (a map with exactly one of tension or shear): Yield "
+     "stress; say in which test it was measured."},
+    {"missing_spacing", &base_deck, "    spacing: 1.0\n", "",
+     "deck.yaml:4:5: the body block needs the key spacing: only a point cloud can do without"},
+    {"missing_component", &base_deck, ", component: z}", "}",
+     "deck.yaml:30:5: the history entry pull needs the key component: x, y or z"},
+    {"text_for_a_number", &base_deck, "bulk_modulus: 160e3", "bulk_modulus: stiff",
+     "deck.yaml:14:19: bulk_modulus must be a number, but 'stiff' was found"},
+    {"not_a_number", &base_deck, "bulk_modulus: 160e3", "bulk_modulus: .nan",
+     "deck.yaml:14:19: bulk_modulus must be a finite number, but '.nan' was found"},
+    {"decimal_comma", &base_deck, "spacing: 1.0", "spacing: 1,0",
+     "deck.yaml:6:14: spacing must be a number, but '1,0' was found; write 1.0"},
+    {"fraction_of_a_step", &base_deck, "count: 2", "count: 2.5",
+     "deck.yaml:23:26: count must be a whole number, but '2.5' was found"},
+    {"no_steps", &base_deck, "count: 2", "count: 0",
+     "deck.yaml:23:26: count is 0 but must be at least 1 and at most 1000000000"},
+    {"negative_spacing", &base_deck, "spacing: 1.0", "spacing: -1",
+     "deck.yaml:6:14: spacing is -1 but must be greater than 0"},
+    {"ratio_below_one", &base_deck, "ratio: 2.015", "ratio: 0.9",
+     "deck.yaml:8:18: ratio is 0.9 but must be at least 1"},
+    {"zero_yield_stress", &base_deck, "tension: 203.1", "tension: 0",
+     "deck.yaml:16:29: tension is 0 but must be greater than 0"},
+    {"two_kinds_of_horizon", &base_deck, "{ratio: 2.015}", "{ratio: 2.015, length: 2}",
+     "deck.yaml:8:25: horizon has both ratio and length, but these exclude each other; keep one"},
+    {"unknown_model", &base_deck, "model: elastic-plastic", "model: plastic",
+     "deck.yaml:13:12: model cannot be 'plastic'; did you mean elastic?"},
+    {"key_of_another_model", &base_deck, "model: elastic-plastic", "model: elastic",
+     "deck.yaml:16:5: yield_stress is not a key of a material of the model elastic; it is one of elastic-plastic"},
+    {"unknown_quadrature", &base_deck, "quadrature: whole", "quadrature: gauss",
+     "deck.yaml:10:13: quadrature cannot be 'gauss'; it can be whole, partial-volume or taper-inside"},
+    {"unknown_field", &base_deck, "[displacement, force]", "[displacement, stress]",
+     "deck.yaml:28:43: an entry of fields cannot be 'stress'; it can be displacement, force, dilatation, "
+     "plastic_multiplier, equivalent_plastic_strain, damage, stored_energy or weighted_volume"},
+    {"unknown_material", &base_deck, "material: steel", "material: stele",
+     "deck.yaml:7:15: stele is not the name of a material; did you mean steel?"},
+    {"unknown_set", &base_deck, "{set: head, displacement", "{set: haed, displacement",
+     "deck.yaml:22:11: haed is not the name of a set or body; did you mean head?"},
+    {"unknown_set_in_history", &base_deck, "reaction: head", "reaction: top",
+     "deck.yaml:30:28: top is not the name of a set or body; there is all, foot, head and block"},
+    {"formula_with_unknown_name", &base_deck, "\"0.01*t\"", "\"0.01*time\"",
+     "deck.yaml:22:35: the formula '0.01*time' cannot be read at character 6: time is not known; a formula may use "
+     "x, y, z, t, pi and functions such as sin, exp, sqrt"},
+    {"formula_not_finished", &base_deck, "\"0.01*t\"", "\"0.01*\"",
+     "deck.yaml:22:35: the formula '0.01*' cannot be read at character 6: it ends too early"},
+    {"set_that_uses_t", &base_deck, "\"z > 3\"", "\"z > 3*t\"",
+     "deck.yaml:19:17: the formula of the set head uses t, but a set is the same at every t; use only x, y and z"},
+    {"z_in_two_dimensions", &flat_deck, "{x: 0, y: 0}", "{x: 0, y: 0, z: 0}",
+     "deck.yaml:7:54: displacement has a z component, but this deck is 2-D; remove z"},
+    {"missing_cloud", &base_deck, "{box: {min: [0, 0, 0], max: [3, 3, 4]}}", "{file: nowhere.csv}",
+     "deck.yaml:5:19: the file nowhere.csv (file) does not exist; relative names start at the deck's folder, so "
+     "this one was looked for as {dir}/nowhere.csv"},
+    {"missing_table", &base_deck, "{z: \"0.01*t\"}", "{table: nowhere.csv}",
+     "deck.yaml:22:39: the file nowhere.csv (table) does not exist; relative names start at the deck's folder, so "
+     "this one was looked for as {dir}/nowhere.csv"},
+    {"empty_set", &base_deck, "\"z > 3\"", "\"z > 30\"",
+     "deck.yaml:19:9: the set head is empty: none of the 36 particles is in it; widen its condition or take the "
+     "set out"},
+    {"set_of_an_id_that_is_not_there", &base_deck, "{where: \"z > 3\"}", "{ids: [3, 36]}",
+     "deck.yaml:19:9: the set head names particle 36, but the particles are numbered from 0 to 35; take that id out"},
+    {"body_without_particles", &base_deck, "{box: {min: [0, 0, 0], max: [3, 3, 4]}}",
+     "{difference: [{box: {min: [0, 0, 0], max: [3, 3, 4]}}, {sphere: {center: [0, 0, 0], radius: 9}}]}",
+     "deck.yaml:5:12: the body block has no particles: none of the 3 x 3 x 4 centres of its lattice is inside its "
+     "shape; make the spacing smaller than 1"},
+    {"too_many_particles", &base_deck, "spacing: 1.0", "spacing: 1.0e-6",
+     "deck.yaml:5:12: the body block would have about 3.6e+19 particles at spacing 1e-06, more than 2e+09; make "
+     "the spacing larger, or check that spacing and shape are in the same unit"},
+    {"bodies_that_overlap", &base_deck, "horizon:",
+     "  - {name: twin, shape: {box: {min: [0, 0, 3], max: [3, 3, 5]}}, spacing: 1, material: steel}\nhorizon:",
+     "particles 27 and 36 are in the same place (0.5, 0.5, 3.5); take one of them out, or move the bodies apart so "
+     "that they do not overlap"},
+    {"empty_family", &base_deck, "{ratio: 2.015}", "{length: 0.5}",
+     "particle 0 at (0.5, 0.5, 0.5) has no neighbour within the horizon 0.5; make the horizon larger, or take the "
+     "particle out"},
+    {"body_apart_from_the_rest", &base_deck, "horizon:",
+     "  - {name: crumb, shape: {box: {min: [9, 9, 9], max: [10, 10, 10]}}, spacing: 1, material: steel}\nhorizon:",
+     "particle 36 at (9.5, 9.5, 9.5) has no neighbour within the horizon 2.015; make the horizon larger, or take "
+     "the particle out"},
+    {"crack_that_cuts_a_whole_family", &base_deck, "materials:\n",
+     "cracks:\n  - rectangle: {corner: [-1, -1, 1], edge1: [9, 0, 0], edge2: [0, 9, 0]}\n  - rectangle: {corner: [-1, "
+     "1, -1], edge1: [9, 0, 0], edge2: [0, 0, 9]}\n  - rectangle: {corner: [1, -1, -1], edge1: [0, 9, 0], edge2: [0, "
+     "0, 9]}\nmaterials:\n",
+     "particle 0 at (0.5, 0.5, 0.5) has lost all its bonds to pre-cracks; move the cracks, or make the horizon "
+     "larger"},
+    {"one_elastic_constant", &base_deck, "    shear_modulus: 80e3\n", "",
+     "deck.yaml:13:5: material steel needs two elastic constants and has 1: give any two of bulk_modulus, "
+     "shear_modulus, young_modulus, poisson_ratio, lame_lambda"},
+    {"constants_that_contradict", &base_deck, "    shear_modulus: 80e3\n",
+     "    shear_modulus: 80e3\n    poisson_ratio: 0.3\n",
+     "deck.yaml:13:5: the 3 elastic constants of material steel contradict each other; give two of them and leave "
+     "the others out"},
+    {"constants_that_do_not_belong_together", &base_deck, "    shear_modulus: 80e3\n", "    young_modulus: 2000e3\n",
+     "deck.yaml:13:5: the elastic constants of material steel do not give a positive bulk and shear modulus; check "
+     "that the two belong together"},
+    {"poisson_ratio_of_one_half", &base_deck, "    shear_modulus: 80e3\n", "    poisson_ratio: 0.5\n",
+     "deck.yaml:15:20: poisson_ratio is 0.5 but must be greater than -1 and at most 0.4999999"},
+    {"plasticity_in_two_dimensions", &flat_deck, "steel: {model: elastic,",
+     "steel: {model: elastic-plastic, yield_stress: {shear: 1},",
+     "deck.yaml:5:10: material steel is elastic-plastic, which this version has in 3-D only (in 2-D the plastic "
+     "flow out of the plane is missing); use dimension: 3 with a thin body, or model: elastic"},
+    {"nothing_held", &base_deck, "displacement: {x: 0, y: 0, z: 0}}\n  - {set: head, displacement: {z: \"0.01*t\"}}",
+     "force: {x: 1}}",
+     "deck.yaml: nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with "
+     "displacement"},
+    {"no_loads", &flat_deck, "boundary: [{set: left, displacement: {x: 0, y: 0}}]\n", "",
+     "deck.yaml: nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with "
+     "displacement"},
+    {"displacement_not_a_number", &base_deck, "\"0.01*t\"", "\"sqrt(x - 1)*t\"",
+     "deck.yaml:22:5: the z component is not a finite number at (0.5, 0.5, 3.5) for t = 0.5; check the formula "
+     "sqrt(x - 1)*t"},
+    {"displacement_infinite_at_the_end", &base_deck, "\"0.01*t\"", "\"0.01/(t - 1)\"",
+     "deck.yaml:22:5: the z component is not a finite number at (0.5, 0.5, 3.5) for t = 1; check the formula "
+     "0.01/(t - 1)"},
+    {"force_not_a_number", &base_deck, "{set: head, displacement: {z: \"0.01*t\"}}",
+     "{set: head, force: {y: \"log(t - 2)\"}}",
+     "deck.yaml:22:5: the y component is not a finite number at (0.5, 0.5, 3.5) for t = 0.5; check the formula "
+     "log(t - 2)"},
+    {"body_force_not_a_number", &flat_deck, "y: 0}}]", "y: 0}}, {set: all, body_force: {y: \"acos(1 + x)\"}}]",
+     "deck.yaml:7:53: the y component is not a finite number at (0.5, 0.5, 0) for t = 0.1; check the formula "
+     "acos(1 + x)"},
+    {"ilu_without_a_matrix", &base_deck, "preconditioner: automatic", "preconditioner: ilu",
+     "deck.yaml:27:28: the preconditioner ilu needs the assembled matrix; write tangent: assembled in solver, or "
+     "take block-jacobi"},
+    {"chebyshev_without_a_matrix", &base_deck, "preconditioner: automatic", "preconditioner: chebyshev",
+     "deck.yaml:27:28: the preconditioner chebyshev needs the assembled matrix; write tangent: assembled in "
+     "solver, or take block-jacobi"},
+    {"gauss_seidel_without_a_matrix", &base_deck, "preconditioner: automatic", "preconditioner: symmetric-gauss-seidel",
+     "deck.yaml:27:28: the preconditioner symmetric-gauss-seidel needs the assembled matrix; write tangent: "
+     "assembled in solver, or take block-jacobi"},
+};
+
+struct FileMistake {
+  const char* name;
+  const char* file;  ///< cloud.csv or field.csv
+  const char* from;  ///< empty: the whole file
+  const char* to;
+  const char* sentence;
+};
+void PrintTo(const FileMistake& mistake, std::ostream* out) { *out << mistake.name; }
+
+const FileMistake mistakes_in_files[] = {
+    {"cloud_empty", "cloud.csv", "", "",
+     "{dir}/cloud.csv: the file is empty; a point cloud begins with the header x,y,z,volume"},
+    {"cloud_header_only", "cloud.csv", "", "x,y,z,volume\n",
+     "{dir}/cloud.csv: the file has a header but no rows; add at least one"},
+    {"cloud_without_volumes", "cloud.csv", "", "x,y,z\n0,0,0\n1,0,0\n",
+     "{dir}/cloud.csv:1:1: the column volume is missing; a point cloud has the columns x, y, z, volume"},
+    {"cloud_with_unknown_column", "cloud.csv", "volume", "volumes",
+     "{dir}/cloud.csv:1:7: volumes is not a column of a point cloud, did you mean volume?; the columns are x, y, "
+     "z, volume"},
+    {"cloud_with_a_word", "cloud.csv", "0,1,0,1", "0,one,0,1", "{dir}/cloud.csv:4:3: one is not a number (column y)"},
+    {"cloud_row_too_short", "cloud.csv", "0,1,0,1", "0,1,0",
+     "{dir}/cloud.csv:4:6: 3 values in this row, but the header names 4 columns"},
+    {"cloud_row_too_long", "cloud.csv", "0,1,0,1", "0,1,0,1,1",
+     "{dir}/cloud.csv:4:9: 5 values in this row, but the header names 4 columns"},
+    {"cloud_with_an_empty_field", "cloud.csv", "0,1,0,1", "0,,0,1",
+     "{dir}/cloud.csv:4:3: an empty field is not a number (column y)"},
+    {"cloud_not_a_number", "cloud.csv", "0,1,0,1", "0,nan,0,1",
+     "{dir}/cloud.csv:4:3: nan is not a finite number (column y)"},
+    {"cloud_separated_by_semicolons", "cloud.csv", "", "x;y;z;volume\n0;0;0;1\n",
+     "{dir}/cloud.csv:1:1: x;y;z;volume is not a column of a point cloud; the columns are x, y, z, volume"},
+    {"cloud_of_negative_volume", "cloud.csv", "0,1,0,1", "0,1,0,-1",
+     "{dir}/cloud.csv:4:7: the volume of a particle must be greater than 0, but is -1"},
+    {"cloud_of_zero_volume", "cloud.csv", "0,1,0,1", "0,1,0,0",
+     "{dir}/cloud.csv:4:7: the volume of a particle must be greater than 0, but is 0"},
+    {"cloud_with_coincident_points", "cloud.csv", "0,1,0,1", "1,0,0,1",
+     "particles 1 and 2 are in the same place (1, 0, 0); take one of them out, or move the bodies apart so that "
+     "they do not overlap"},
+    {"cloud_with_a_lonely_point", "cloud.csv", "0,1,0,1", "0,50,0,1",
+     "particle 2 at (0, 50, 0) has no neighbour within the horizon 1.5; make the horizon larger, or take the "
+     "particle out"},
+    {"cloud_of_one_point", "cloud.csv", "", "x,y,z,volume\n0,0,0,1\n",
+     "particle 0 at (0, 0, 0) is the only one, so there is no bond; make the spacing smaller or add particles"},
+    {"table_empty", "field.csv", "", "",
+     "{dir}/field.csv: the file is empty; a displacement table begins with the header x,y,z,ux,uy,uz"},
+    {"table_without_uz", "field.csv", "", "t,x,y,z,ux,uy\n1,0,0,0,0,0\n",
+     "{dir}/field.csv:1:1: the column uz is missing; a displacement table has the columns x, y, z, ux, uy, uz"},
+    {"table_with_unknown_column", "field.csv", "ux", "vx",
+     "{dir}/field.csv:1:9: vx is not a column of a displacement table, did you mean x?; the columns are t, x, y, "
+     "z, ux, uy, uz"},
+    {"table_with_a_word", "field.csv", "0.1,0,0\n1,0,1", "much,0,0\n1,0,1",
+     "{dir}/field.csv:3:9: much is not a number (column ux)"},
+    {"table_row_too_short", "field.csv", "1,1,0,0,0.1,0,0", "1,1,0,0,0.1,0",
+     "{dir}/field.csv:3:14: 6 values in this row, but the header names 7 columns"},
+    {"table_infinite", "field.csv", "1,1,0,0,0.1,0,0", "1,1,0,0,inf,0,0",
+     "{dir}/field.csv:3:9: inf is not a finite number (column ux)"},
+    {"table_misses_a_particle", "field.csv", "1,1,0,0,0.1,0,0\n", "",
+     "deck.yaml:5:45: {dir}/field.csv has no row for particle 1 at (1, 0, 0) at t = 1; add one, or impose the "
+     "table on a smaller set"},
+    {"table_misses_a_particle_at_a_later_time", "field.csv", "1,1,1,0,0.1,0,0\n", "1,1,1,0,0.1,0,0\n2,0,0,0,0,0,0\n",
+     "deck.yaml:5:45: {dir}/field.csv has no row for particle 1 at (1, 0, 0) at t = 2; add one, or impose the "
+     "table on a smaller set"},
+    {"table_with_a_point_that_is_no_particle", "field.csv", "1,0,1,0,0,0,0", "1,0,1.5,0,0,0,0",
+     "{dir}/field.csv:4:3: no particle is at (0, 1.5, 0); a row is matched to a particle by its reference "
+     "position, to 1e-06 of the spacing"},
+    {"table_with_a_particle_twice", "field.csv", "1,1,1,0,0.1,0,0\n", "1,1,1,0,0.1,0,0\n1,1,1,0,0.2,0,0\n",
+     "{dir}/field.csv:6:1: particle 3 has its displacement at t = 1 on line 5 already; take one of the two rows out"},
+    {"table_with_a_negative_time", "field.csv", "1,0,0,0,0,0,0\n", "-1,0,0,0,0,0,0\n",
+     "{dir}/field.csv:2:1: t must not be negative, but is -1; the load parameter starts at 0"},
+};
+
+/// `sentence` with the folder filled in.
+std::string in_folder(std::string sentence, const Folder& folder) {
+  const std::size_t at = sentence.find("{dir}");
+  return at == std::string::npos ? sentence : sentence.replace(at, 5, folder.path().string());
+}
+
+void expect_refusal(const Folder& folder, const std::vector<std::string>& arguments, const std::string& sentence) {
+  const std::vector<std::string> before = folder.names();
+  const Outcome outcome = folder.perinox(arguments);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.error, in_folder(sentence, folder) + "\n");
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(folder.names(), before) << "something was left in the folder";
+}
+
+class MalformedDeck : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(MalformedDeck, IsRefusedInOneSentence) {
+  const Mistake& mistake = GetParam();
+  const Folder folder;
+  folder.write("deck.yaml", changed(*mistake.deck, mistake.from, mistake.to));
+  expect_refusal(folder, {"check", "deck.yaml"}, mistake.sentence);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cli, MalformedDeck, ::testing::ValuesIn(mistakes_in_decks),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+class MalformedFile : public ::testing::TestWithParam<FileMistake> {};
+
+TEST_P(MalformedFile, IsRefusedInOneSentence) {
+  const FileMistake& mistake = GetParam();
+  const bool of_cloud = std::string(mistake.file) == "cloud.csv";
+  const std::string text =
+      *mistake.from == '\0' ? mistake.to : changed(of_cloud ? cloud : field, mistake.from, mistake.to);
+  const Folder folder;
+  folder.write("deck.yaml", cloud_deck);
+  folder.write("cloud.csv", of_cloud ? text : cloud);
+  folder.write("field.csv", of_cloud ? field : text);
+  expect_refusal(folder, {"check", "deck.yaml"}, mistake.sentence);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cli, MalformedFile, ::testing::ValuesIn(mistakes_in_files),
+                         [](const auto& one) { return std::string(one.param.name); });
+
+TEST(Malformed, TheDecksAreRightBeforeTheyAreBroken) {
+  const Folder folder;
+  folder.write("cloud.csv", cloud);
+  folder.write("field.csv", field);
+  for (const std::string* text : {&base_deck, &flat_deck, &cloud_deck}) {
+    folder.write("deck.yaml", *text);
+    const Outcome outcome = folder.perinox({"check", "deck.yaml"});
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_EQ(outcome.error, "");
+  }
+}
+
+// `run` and `verify` refuse as `check` does, before a results folder is made. One row of each room: deck, materials,
+// body, bonds, solve, app.
+TEST(Malformed, RunAndVerifyRefuseAsCheckDoes) {
+  int rows = 0;
+  for (const Mistake& mistake : mistakes_in_decks) {
+    const std::string name = mistake.name;
+    if (name != "unknown_key_of_a_material" && name != "constants_that_contradict" && name != "empty_set" &&
+        name != "empty_family" && name != "nothing_held" && name != "ilu_without_a_matrix")
+      continue;
+    ++rows;
+    SCOPED_TRACE(name);
+    const Folder folder;
+    folder.write("deck.yaml", changed(*mistake.deck, mistake.from, mistake.to));
+    expect_refusal(folder, {"run", "deck.yaml"}, mistake.sentence);
+    expect_refusal(folder, {"run", "deck.yaml", "--output", "elsewhere", "--quiet"}, mistake.sentence);
+    expect_refusal(folder, {"verify", "deck.yaml"}, mistake.sentence);
+  }
+  EXPECT_EQ(rows, 6);
+}
+
+TEST(Malformed, OnTwoRanksTheSentenceIsSaidOnce) {
+  int rows = 0;
+  for (const Mistake& mistake : mistakes_in_decks) {
+    const std::string name = mistake.name;
+    if (name != "unknown_key_of_a_deck" && name != "empty_set" && name != "bodies_that_overlap" &&
+        name != "displacement_not_a_number")
+      continue;
+    ++rows;
+    SCOPED_TRACE(name);
+    const Folder folder;
+    folder.write("deck.yaml", changed(*mistake.deck, mistake.from, mistake.to));
+    const Outcome outcome = folder.perinox_on_ranks(2, {"run", "deck.yaml"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.out, "");
+    // mpirun adds lines of its own about the exit status.
+    std::size_t times = 0;
+    const std::string sentence = in_folder(mistake.sentence, folder);
+    for (const std::string& line : lines_of(outcome.error)) times += line == sentence ? 1 : 0;
+    EXPECT_EQ(times, 1) << outcome.error;
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"deck.yaml"});
+  }
+  EXPECT_EQ(rows, 4);
+}
+
+}  // namespace
+}  // namespace perinox::cli
