@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 #include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace perinox::deck {
 namespace {
@@ -72,6 +74,37 @@ bool is_indented_by_tab(const std::string& yaml, int line) {
   if (begin == std::string::npos) return false;
   const std::size_t first = yaml.find_first_not_of(' ', begin);
   return first != std::string::npos && yaml[first] == '\t';
+}
+
+/// Hears only where documents start.
+class DocumentStarts : public YAML::EventHandler {
+ public:
+  YAML::Mark latest;
+  void OnDocumentStart(const YAML::Mark& mark) override { latest = mark; }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {}
+  void OnMapEnd() override {}
+};
+
+/// yaml-cpp takes a comma or bracket outside of any list for the start of endless empty documents, so no more than two
+/// are ever asked for.
+void refuse_second_document(const std::string& yaml, const std::string& file) {
+  std::istringstream stream(yaml);
+  YAML::Parser parser(stream);
+  DocumentStarts starts;
+  if (!parser.HandleNextDocument(starts) || !parser.HandleNextDocument(starts)) return;
+  const YAML::Mark mark = starts.latest;
+  const Location where{file, std::max(mark.line, 0) + 1, std::max(mark.column, 0) + 1};
+  const auto at = static_cast<std::size_t>(std::max(mark.pos, 0));
+  if (yaml.compare(std::min(at, yaml.size()), 3, "---") == 0) {
+    refuse(where, "a second YAML document starts here; a deck is one document, so remove the line ---");
+  }
+  refuse(where, "this does not belong to the lines above; check indentation, commas and brackets");
 }
 
 std::string syntax_sentence(const std::string& message) {
@@ -152,9 +185,9 @@ const Node* Node::find(const std::string& key) const {
 }
 
 Node parse_yaml(const std::string& yaml, const std::string& file) {
-  std::vector<YAML::Node> documents;
   try {
-    documents = YAML::LoadAll(yaml);
+    refuse_second_document(yaml, file);
+    return TreeBuilder(file).build(YAML::Load(yaml), {file, 1, 1}, 0);
   } catch (const YAML::DeepRecursion& error) {
     refuse({file, error.mark.line + 1, error.mark.column + 1}, "lists and maps are nested far too deep here");
   } catch (const YAML::Exception& error) {
@@ -164,13 +197,6 @@ Node parse_yaml(const std::string& yaml, const std::string& file) {
     }
     refuse({file, known ? error.mark.line + 1 : 0, known ? error.mark.column + 1 : 0}, syntax_sentence(error.msg));
   }
-  if (documents.size() > 1) {
-    const YAML::Mark mark = documents[1].Mark();
-    refuse({file, std::max(mark.line, 0) + 1, std::max(mark.column, 0) + 1},
-           "a second YAML document starts here; a deck is one document, so remove the line ---");
-  }
-  if (documents.empty()) return {};
-  return TreeBuilder(file).build(documents[0], {file, 1, 1}, 0);
 }
 
 void apply_override(Node& root, const std::string& override_text) {

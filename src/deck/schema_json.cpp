@@ -39,7 +39,7 @@ class JsonWriter {
     if (!key.reference.empty()) return Json::object().set("$ref", Json::text("#/definitions/" + key.reference));
     Json json = key.picks_model ? write_model_choice(key) : write_type(key);
     std::string sentence = key.sentence;
-    if (!key.unit.empty() && key.unit != "-") sentence += " Unit: " + key.unit + ".";
+    if (!key.unit.empty() && key.unit != "-" && key.unit != "dimensionless") sentence += " Unit: " + key.unit + ".";
     if (!sentence.empty()) json.set("description", Json::text(sentence));
     if (key.fallback) json.set("default", json_of(parse_yaml(*key.fallback, "")));
     return json;
