@@ -1,0 +1,80 @@
+/// Named sets of particles.
+#include "support/bodies.hpp"
+
+namespace perinox::body {
+namespace {
+
+using namespace fixture;
+using ::testing::ElementsAre;
+using ::testing::StartsWith;
+using Members = std::vector<LocalIndex>;
+
+TEST(Sets, EveryParticleAndEveryBodyIsASet) {
+  deck::Deck deck = cube(2);
+  add_body(deck, "lid", deck::Box{{0, 0, 2}, {2, 1, 3}});
+  const Body body = build_body(deck);
+  EXPECT_EQ(body.sets.size(), 3U);
+  EXPECT_THAT(body.sets.at("all"), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9));
+  EXPECT_THAT(body.sets.at("block"), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
+  EXPECT_THAT(body.sets.at("lid"), ElementsAre(8, 9));
+}
+
+TEST(Sets, ByCondition) {
+  deck::Deck deck = cube(3);
+  add_set(deck, "corner", deck::SetWhere{deck::Expression("x < 1 && y < 1 && z < 2", {"deck.yaml", 20, 3})});
+  EXPECT_THAT(build_body(deck).sets.at("corner"), ElementsAre(0, 9));
+}
+
+/// A box's face through particle centres takes them in, on all sides, even where 0.1 + 0.2 is not 0.3.
+TEST(Sets, BoxIncludesItsSurface) {
+  deck::Deck deck = cube(0.4, 0.1);
+  add_set(deck, "inner", deck::SetBox{{0.15, 0.15, 0.15}, {0.1 + 0.15, 0.25, 0.25}});
+  add_set(deck, "below", deck::SetBox{{0.15, 0.15, 0.15}, {0.25, 0.25, 0.25 - 1e-7}});
+  const Body body = build_body(deck);
+  EXPECT_EQ(body.sets.at("inner").size(), 8U);
+  EXPECT_EQ(body.sets.at("below").size(), 4U);
+}
+
+TEST(Sets, FlatBoxIgnoresThirdCoordinate) {
+  deck::Deck deck = square(2);
+  add_set(deck, "left", deck::SetBox{{0, 0, 7}, {1, 2, 7}});
+  EXPECT_THAT(build_body(deck).sets.at("left"), ElementsAre(0, 2));
+}
+
+TEST(Sets, ByIdsInAnyOrderOnceEach) {
+  deck::Deck deck = cube(2);
+  add_set(deck, "some", deck::SetIds{{7, 0, 3, 0}});
+  add_set(deck, "whole", deck::SetBody{"block"});
+  const Body body = build_body(deck);
+  EXPECT_THAT(body.sets.at("some"), ElementsAre(0, 3, 7));
+  EXPECT_EQ(body.sets.at("whole"), body.sets.at("block"));
+}
+
+TEST(Sets, Refusals) {
+  struct Case {
+    const char* name;
+    decltype(deck::Set::form) form;
+    const char* sentence;
+  };
+  const std::vector<Case> cases = {
+      {"far", deck::SetBox{{5, 5, 5}, {6, 6, 6}},
+       "deck.yaml:20:3: the set far is empty: none of the 8 particles is in it; widen its condition"},
+      {"none", deck::SetIds{{}}, "deck.yaml:20:3: the set none is empty"},
+      {"high", deck::SetIds{{0, 8}},
+       "deck.yaml:20:3: the set high names particle 8, but the particles are numbered from 0 to 7"},
+      {"low", deck::SetIds{{-1}}, "deck.yaml:20:3: the set low names particle -1, but the particles are numbered"},
+      {"huge", deck::SetIds{{9223372036854775807LL}},
+       "deck.yaml:20:3: the set huge names particle 9223372036854775807"},
+      {"other", deck::SetBody{"blok"}, "deck.yaml:20:3: the set other names the body blok, which the deck does not"},
+      {"all", deck::SetIds{{1}}, "deck.yaml:20:3: the name all is taken"},
+      {"block", deck::SetIds{{1}}, "deck.yaml:20:3: the name block is taken"},
+  };
+  for (const Case& one : cases) {
+    deck::Deck deck = cube(2);
+    add_set(deck, one.name, one.form);
+    EXPECT_THAT(refusal([&] { build_body(deck); }), StartsWith(one.sentence));
+  }
+}
+
+}  // namespace
+}  // namespace perinox::body
