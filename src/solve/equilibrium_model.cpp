@@ -31,7 +31,7 @@ void EquilibriumModel::set_step(const mechanics::Committed& committed, const std
   evaluated_ = false;
 }
 
-const ForceBalance& EquilibriumModel::evaluate(const double* displacement) {
+const ForceBalance& EquilibriumModel::evaluate(const double* displacement) const {
   // NOX, the status test and the predictor ask at the same point in turn: answer from the last evaluation.
   const bool same = evaluated_ && std::equal(displacement, displacement + force_.size(), trial_.displacement.begin());
   if (!scene_.body().communicator.any(!same)) return balance_;
@@ -99,7 +99,7 @@ void EquilibriumModel::evalModelImpl(const Thyra::ModelEvaluatorBase::InArgs<dou
   const auto x = Converter::getConstTpetraVector(in.get_x());
   const auto displacement = x->getLocalViewHost(Tpetra::Access::ReadOnly);
   if (const auto f = out.get_f(); !f.is_null()) {
-    const_cast<EquilibriumModel*>(this)->evaluate(displacement.data());
+    evaluate(displacement.data());
     const auto residual = Converter::getTpetraVector(f)->getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (std::size_t u = 0; u < force_.size(); ++u)
       residual(u, 0) = boundary_.prescribed()[u] ? 0 : -(force_[u] + (*external_)[u]);

@@ -19,7 +19,7 @@ class EquilibriumModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   void set_step(const mechanics::Committed& committed, const std::vector<double>& external, double t);
 
   /// Internal force and balance at displacement [owned * dimension]; the trial state is kept.
-  const ForceBalance& evaluate(const double* displacement);
+  const ForceBalance& evaluate(const double* displacement) const;
   const ForceBalance& balance() const { return balance_; }
   const std::vector<double>& force() const { return force_; }
   mechanics::Trial& trial() { return trial_; }
@@ -49,10 +49,11 @@ class EquilibriumModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   const mechanics::Committed* committed_ = nullptr;
   const std::vector<double>* external_ = nullptr;
   double t_ = 0;
-  bool evaluated_ = false;
-  mechanics::Trial trial_;
-  std::vector<double> force_;
-  ForceBalance balance_;
+  // The last evaluation. Thyra's evalModel is const; NOX, the status test and the predictor share its result.
+  mutable bool evaluated_ = false;
+  mutable mechanics::Trial trial_;
+  mutable std::vector<double> force_;
+  mutable ForceBalance balance_;
 };
 
 }  // namespace perinox::solve
