@@ -19,6 +19,7 @@ const char* const introduction =
     "names\n"
     "  the line and the nearest key.\n"
     "- Units are any consistent set (mm, N, MPa, or m, N, Pa); the tables name what kind of quantity a number is.\n"
+    "- In the column `default`, `alternative` marks keys that exclude each other.\n"
     "- File names are relative to the deck's folder.\n"
     "- Points have three numbers. In 2-D they may have two; a third must be 0.\n"
     "- `--set key.path=value` on the command line replaces a value: `--set solver.newton.tolerance=1e-9`,\n"
