@@ -22,6 +22,7 @@ else
   say "neither the program nor the deck has changed since the last run (--again runs it all the same)"
 fi
 
+as_root_too=$([ "$(id -u)" -ne 0 ] || echo " --allow-run-as-root")
 say "done"
 cat <<END
   picture             $picture (and picture.svg)
@@ -29,5 +30,5 @@ cat <<END
   all fields          $results/results.xdmf (open it in ParaView), data in results.h5
   Newton's progress   $results/convergence.csv
   the deck            $deck; change it and run
-                      mpirun -np 2 $binary run $deck --output results/mine
+                      mpirun$as_root_too -np 2 $binary run $deck --output results/mine
 END
