@@ -1,5 +1,5 @@
 # CTest driver: configures, builds and tests; the exit status is non-zero if any of the three fails.
-#   ctest -S ctest/perinox.cmake -V
+#   CTEST_OUTPUT_ON_FAILURE=1 ctest -S ctest/perinox.cmake -V
 # Environment: PERINOX_BUILD_DIR (default build/), PERINOX_JOBS (default: the number of cores).
 # To send the results to a CDash server, set CTEST_DROP_SITE and its companions in a file and name it in
 # PERINOX_DASHBOARD.
@@ -28,17 +28,24 @@ else()
   set(options -DCMAKE_BUILD_TYPE=RelWithDebInfo)
 endif()
 
+# CTest keeps what the configuration and the compiler say to itself; on failure it is shown.
+function(stop_if_failed failed what log)
+  if(failed)
+    file(GLOB logs "${CTEST_BINARY_DIRECTORY}/Testing/Temporary/${log}_*.log")
+    list(SORT logs)
+    list(POP_BACK logs newest)
+    file(READ "${newest}" said)
+    message("${said}")
+    message(FATAL_ERROR "${what} failed, see above")
+  endif()
+endfunction()
+
 ctest_start(Experimental)
 ctest_configure(OPTIONS "${options}" RETURN_VALUE failed)
-if(failed)
-  message(FATAL_ERROR "the configuration failed, see above")
-endif()
+stop_if_failed(${failed} "the configuration" LastConfigure)
 ctest_build(PARALLEL_LEVEL ${jobs} RETURN_VALUE failed)
-if(failed)
-  message(FATAL_ERROR "the build failed, see above")
-endif()
+stop_if_failed(${failed} "the build" LastBuild)
 
-set(ENV{CTEST_OUTPUT_ON_FAILURE} 1)
 ctest_test(PARALLEL_LEVEL ${jobs} RETURN_VALUE failed)
 if(NOT "$ENV{PERINOX_DASHBOARD}" STREQUAL "")
   include("$ENV{PERINOX_DASHBOARD}")

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, runs every test. The exit status tells: 0 means all passed.
-#   scripts/test.sh [ctest arguments are not taken; for a selection: ctest --test-dir build -L unit -R output]
+# For a selection, once built: ctest --test-dir build -L unit -R output --output-on-failure
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
 install_packages
 mpi_environment
 say "configuring, building and testing in $build_dir on $(parallel_jobs) cores"
-PERINOX_BUILD_DIR=$build_dir PERINOX_JOBS=$(parallel_jobs) ctest -S "$source_dir/ctest/perinox.cmake" -V
+PERINOX_BUILD_DIR=$build_dir PERINOX_JOBS=$(parallel_jobs) CTEST_OUTPUT_ON_FAILURE=1 \
+  ctest -S "$source_dir/ctest/perinox.cmake" -V
 say "all tests passed"
