@@ -29,8 +29,10 @@ int command_line(int argc, char** argv, const perinox::Communicator& ranks) {
   cli.require_subcommand(1);
   cli.footer("Example: mpirun -np 2 perinox run inputs/tension_block.yaml --output results/tension_block");
   auto* run = cli.add_subcommand("run", "solve a deck's load path; under mpirun on N ranks");
-  auto* check = cli.add_subcommand("check", "validate a deck; print the scene, the resolved deck and what it costs; run nothing");
-  auto* verify = cli.add_subcommand("verify", "tangent against central differences and symmetry at the scene's own states");
+  auto* check =
+      cli.add_subcommand("check", "validate a deck; print the scene, the resolved deck and what it costs; run nothing");
+  auto* verify =
+      cli.add_subcommand("verify", "tangent against central differences and symmetry at the scene's own states");
   auto* help = cli.add_subcommand("help", "documentation of a deck key, from the schema");
   for (auto* command : {run, check, verify}) {
     command->add_option("DECK", options.deck, "the deck, a YAML file")->required();
@@ -47,8 +49,9 @@ int command_line(int argc, char** argv, const perinox::Communicator& ranks) {
   const std::vector<std::string> commands{"run", "check", "verify", "help"};
   if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     const std::string hint = deck::nearest(argv[1], commands);
-    say(ranks, "perinox: ", fmt::format("{} is not a command{}; perinox --help lists the commands", argv[1],
-                                        hint.empty() ? "" : ", did you mean " + hint + "?"));
+    say(ranks, "perinox: ",
+        fmt::format("{} is not a command{}; perinox --help lists the commands", argv[1],
+                    hint.empty() ? "" : ", did you mean " + hint + "?"));
     return 2;
   }
   try {

@@ -11,9 +11,12 @@ namespace {
 
 const char* name_of(deck::Dimension dimension) {
   switch (dimension) {
-    case deck::Dimension::three: return "3-D";
-    case deck::Dimension::plane_strain: return "plane strain";
-    case deck::Dimension::plane_stress: return "plane stress";
+    case deck::Dimension::three:
+      return "3-D";
+    case deck::Dimension::plane_strain:
+      return "plane strain";
+    case deck::Dimension::plane_stress:
+      return "plane stress";
   }
   return "";
 }
@@ -68,9 +71,10 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
                                 bonds / particles);
   report.summary += t.cut > 0 ? fmt::format(", {} cut by pre-cracks\n", t.cut) : "\n";
   if (ranks.size() > 1)
-    report.summary += fmt::format("  {} ranks: particles {}, ghosts {}, imbalance {:.3f} in bonds, {:.3f} in particles\n",
-                                  ranks.size(), fmt::join(partition.owned, " "), fmt::join(partition.ghosts, " "),
-                                  partition.bond_imbalance, partition.particle_imbalance);
+    report.summary +=
+        fmt::format("  {} ranks: particles {}, ghosts {}, imbalance {:.3f} in bonds, {:.3f} in particles\n",
+                    ranks.size(), fmt::join(partition.owned, " "), fmt::join(partition.ghosts, " "),
+                    partition.bond_imbalance, partition.particle_imbalance);
 
   std::string& out = report.details;
   out += "bodies\n";
@@ -82,7 +86,8 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
     out += fmt::format("  {}: {}\n", deck.materials[m].name, scene.materials()[m]->summary());
   if (!deck.sets.empty()) out += "sets\n";
   for (const deck::Set& set : deck.sets)
-    out += fmt::format("  {}: {} particles\n", set.name, ranks.sum(static_cast<long long>(body.sets.at(set.name).size())));
+    out +=
+        fmt::format("  {}: {} particles\n", set.name, ranks.sum(static_cast<long long>(body.sets.at(set.name).size())));
 
   // What is carried, and what it costs. Bytes follow the arrays of Bonds, Trial, Committed and Tangent.
   const bool assembled = deck.solver.tangent == deck::TangentKind::assembled;
@@ -94,17 +99,17 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   out += "fields and terms\n";
   out += fmt::format("  extension, direction, geometric term of finite deformation: every bond\n");
   out += t.bond_history > 0
-             ? fmt::format("  plastic extension on {} of {} bonds, {} point history values; rank-two modulus where it "
-                           "flows, rank-one elsewhere\n",
-                           t.bond_history, t.bonds, t.point_history)
+             ? fmt::format(
+                   "  plastic extension on {} of {} bonds, {} point history values; rank-two modulus where it "
+                   "flows, rank-one elsewhere\n",
+                   t.bond_history, t.bonds, t.point_history)
              : "  no plastic history: no block needs it; rank-one modulus\n";
   out += t.cut > 0 ? "  pre-cracks: bonds cut at the start\n" : "  no pre-cracks\n";
-  out += fmt::format("memory, all ranks\n  bonds {}, committed and trial state {}, tangent {}{}\n", bytes(bond_data),
-                     bytes(state), bytes(tangent),
-                     // Two families wide: a sphere of twice the horizon holds 8 (2-D: 4) families, less its thin rim.
-                     assembled ? fmt::format(", assembled matrix about {}",
-                                             bytes(bonds * (d == 3 ? 6.8 : 3.7) * d * d * 12))
-                               : "");
+  out += fmt::format(
+      "memory, all ranks\n  bonds {}, committed and trial state {}, tangent {}{}\n", bytes(bond_data), bytes(state),
+      bytes(tangent),
+      // Two families wide: a sphere of twice the horizon holds 8 (2-D: 4) families, less its thin rim.
+      assembled ? fmt::format(", assembled matrix about {}", bytes(bonds * (d == 3 ? 6.8 : 3.7) * d * d * 12)) : "");
   // Counted from the loops: one product 10 d + 10 (plastic 4 more) operations a directed bond.
   const double product = bonds * (10 * d + 10) + 4 * plastic_bonds;
   out += fmt::format("cost\n  one product {:.3g} Mflop, {} read; {} load steps of a few Newton iterations each\n",

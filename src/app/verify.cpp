@@ -28,7 +28,8 @@ int verify(const Options& options, const Communicator& communicator) {
   const bool with_assembled = communicator.sum(static_cast<long long>(scene.bonds().count())) <= assembled_bonds;
   if (talk) {
     fmt::print("{}", report.summary);
-    fmt::print("{:>5} {:>10} {:>9} {:>12} {:>12} {:>12}", "step", "t", "yielding", "difference", "symmetry", "assembled");
+    fmt::print("{:>5} {:>10} {:>9} {:>12} {:>12} {:>12}", "step", "t", "yielding", "difference", "symmetry",
+               "assembled");
     for (const deck::Material& material : deck.materials) fmt::print(" {:>12}", material.name.substr(0, 12));
     fmt::print("\n");
   }
@@ -36,10 +37,10 @@ int verify(const Options& options, const Communicator& communicator) {
   int step = 0;
   mechanics::TangentCheck worst;
   stepper.on_convergence([&](const mechanics::Committed& before, const mechanics::Trial& after) {
-    const std::vector<double> displacement(after.displacement.begin(),
-                                           after.displacement.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()));
-    const mechanics::TangentCheck check =
-        mechanics::check_tangent(scene, before, displacement, deck.solver.form, with_assembled, 1 + 2 * static_cast<std::uint64_t>(step));
+    const std::vector<double> displacement(
+        after.displacement.begin(), after.displacement.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()));
+    const mechanics::TangentCheck check = mechanics::check_tangent(
+        scene, before, displacement, deck.solver.form, with_assembled, 1 + 2 * static_cast<std::uint64_t>(step));
     ++step;
     worst.direction = std::max(worst.direction, check.direction);
     worst.symmetry = std::max(worst.symmetry, check.symmetry);
@@ -54,11 +55,12 @@ int verify(const Options& options, const Communicator& communicator) {
   solve::Observer nobody;
   stepper.run(nobody);
 
-  const bool holds = worst.direction <= direction_bound && worst.symmetry <= symmetry_bound && worst.assembled <= assembled_bound;
+  const bool holds =
+      worst.direction <= direction_bound && worst.symmetry <= symmetry_bound && worst.assembled <= assembled_bound;
   if (communicator.is_root())
     fmt::print("{}: difference {:.2e} (bound {:.0e}), symmetry {:.2e} ({:.0e}), assembled {:.2e} ({:.0e})\n",
-               holds ? "the tangent holds" : "the tangent does NOT hold", worst.direction, direction_bound, worst.symmetry,
-               symmetry_bound, std::max(worst.assembled, 0.0), assembled_bound);
+               holds ? "the tangent holds" : "the tangent does NOT hold", worst.direction, direction_bound,
+               worst.symmetry, symmetry_bound, std::max(worst.assembled, 0.0), assembled_bound);
   return holds ? 0 : 1;
 }
 

@@ -56,9 +56,10 @@ std::unique_ptr<Material> make_elastic(const deck::Material& material, deck::Dim
 }
 
 PERINOX_REGISTER_MATERIAL(
-    elastic, (Model{{"elastic", "Linear peridynamic solid (Mitchell 2011, Eq. 24-26) in 3-D, plane strain and plane stress.",
-                     elastic_keys()},
-                    make_elastic}));
+    elastic,
+    (Model{{"elastic", "Linear peridynamic solid (Mitchell 2011, Eq. 24-26) in 3-D, plane strain and plane stress.",
+            elastic_keys()},
+           make_elastic}));
 
 }  // namespace
 

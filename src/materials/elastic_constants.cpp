@@ -20,8 +20,7 @@ std::optional<ElasticConstants> from_pair(const Given& g) {
   if (g.bulk && g.poisson)
     return ElasticConstants{*g.bulk, 3 * *g.bulk * (1 - 2 * *g.poisson) / (2 * (1 + *g.poisson))};
   if (g.bulk && g.lame) return ElasticConstants{*g.bulk, 1.5 * (*g.bulk - *g.lame)};
-  if (g.shear && g.young)
-    return ElasticConstants{*g.young * *g.shear / (3 * (3 * *g.shear - *g.young)), *g.shear};
+  if (g.shear && g.young) return ElasticConstants{*g.young * *g.shear / (3 * (3 * *g.shear - *g.young)), *g.shear};
   if (g.shear && g.poisson)
     return ElasticConstants{2 * *g.shear * (1 + *g.poisson) / (3 * (1 - 2 * *g.poisson)), *g.shear};
   if (g.shear && g.lame) return ElasticConstants{*g.lame + 2.0 / 3.0 * *g.shear, *g.shear};
@@ -113,7 +112,8 @@ ElasticConstants elastic_constants(const deck::Material& material) {
     return !value || std::abs(*value - derived) <= 1e-6 * scale;
   };
   const double lame = constants->bulk - 2.0 / 3.0 * constants->shear;
-  if (!agrees(given.bulk, constants->bulk, constants->bulk) || !agrees(given.shear, constants->shear, constants->shear) ||
+  if (!agrees(given.bulk, constants->bulk, constants->bulk) ||
+      !agrees(given.shear, constants->shear, constants->shear) ||
       !agrees(given.young, constants->young(), constants->young()) || !agrees(given.poisson, constants->poisson(), 1) ||
       !agrees(given.lame, lame, constants->bulk))
     deck::refuse(material.location, fmt::format("the {} elastic constants of material {} contradict each other; give "

@@ -37,8 +37,7 @@ ElasticPlastic::Return ElasticPlastic::radial_return(const Family& family, const
   }
   r.trial_norm = r.alpha * std::sqrt(r.strain_square);
   // psi0 = d(d+2) tau^2/(2m), beta = sqrt(2 psi0) = c tau; with the continuum m and omega = 1 this is Eq. 51.
-  r.yield_scale =
-      std::sqrt(d * (d + 2) / (parameters_.continuum_yield ? family.continuum_weighted_volume : m));
+  r.yield_scale = std::sqrt(d * (d + 2) / (parameters_.continuum_yield ? family.continuum_weighted_volume : m));
   const double tau = parameters_.yield_shear + parameters_.hardening_shear * root3 * committed.point[equivalent_strain];
   r.beta = r.yield_scale * tau;
   if (r.trial_norm <= r.beta * (1 + kink)) return r;
@@ -72,8 +71,8 @@ PointResponse ElasticPlastic::respond(const Family& family, const double* extens
 
   PointResponse response;
   response.dilatation = r.dilatation;
-  response.stored_energy = 0.5 * (parameters_.bulk * r.dilatation * r.dilatation +
-                                  r.alpha * r.scale * r.scale * r.strain_square);
+  response.stored_energy =
+      0.5 * (parameters_.bulk * r.dilatation * r.dilatation + r.alpha * r.scale * r.scale * r.strain_square);
   response.dissipation = delta_lambda * r.beta * r.beta;
   response.hardening_potential = r.potential;
   response.yielding = r.yielding;
@@ -92,7 +91,8 @@ void ElasticPlastic::modulus(const Family& family, const double* extension, Comm
   const bool printed = form == deck::TangentForm::printed && r.yielding;
   if (parameters_.with_dilatation) {
     // Eq. 65 as printed lacks the factor 3/m of the dilatation's gradient.
-    modulus.add_radial(printed ? 3 * parameters_.bulk / m - shear / 3 : (d * d * parameters_.bulk - shear * m) / (m * m));
+    modulus.add_radial(printed ? 3 * parameters_.bulk / m - shear / 3
+                               : (d * d * parameters_.bulk - shear * m) / (m * m));
   }
   if (!r.yielding) return;
 
@@ -113,13 +113,13 @@ void ElasticPlastic::modulus(const Family& family, const double* extension, Comm
 }
 
 std::string ElasticPlastic::summary() const {
-  return fmt::format("elastic-plastic, k {:g}, mu {:g}, yield {:g} in shear ({:g} in tension), {}, {} yield value, "
-                     "history: e_p a bond, lambda and equivalent plastic strain a point",
-                     parameters_.bulk, parameters_.shear, parameters_.yield_shear, root3 * parameters_.yield_shear,
-                     parameters_.hardening_shear > 0
-                         ? fmt::format("hardening {:g} in shear", parameters_.hardening_shear)
-                         : std::string("perfectly plastic"),
-                     parameters_.continuum_yield ? "continuum" : "discrete");
+  return fmt::format(
+      "elastic-plastic, k {:g}, mu {:g}, yield {:g} in shear ({:g} in tension), {}, {} yield value, "
+      "history: e_p a bond, lambda and equivalent plastic strain a point",
+      parameters_.bulk, parameters_.shear, parameters_.yield_shear, root3 * parameters_.yield_shear,
+      parameters_.hardening_shear > 0 ? fmt::format("hardening {:g} in shear", parameters_.hardening_shear)
+                                      : std::string("perfectly plastic"),
+      parameters_.continuum_yield ? "continuum" : "discrete");
 }
 
 namespace {
@@ -151,10 +151,10 @@ deck::ModelDeclaration declaration() {
   model.keys.push_back(stress_choice("yield_stress", "Yield stress; say in which test it was measured.", true, false,
                                      "In uniaxial tension; the yield stress in shear is this over sqrt(3) (Eq. 56).",
                                      "In pure shear (Eq. 57)."));
-  model.keys.push_back(stress_choice(
-      "hardening_modulus", "Linear isotropic hardening; left out: perfect plasticity.", false, true,
-      "Slope of the tension yield stress over equivalent plastic strain; in shear it is a third of this.",
-      "Slope of the shear yield stress over plastic shear strain."));
+  model.keys.push_back(
+      stress_choice("hardening_modulus", "Linear isotropic hardening; left out: perfect plasticity.", false, true,
+                    "Slope of the tension yield stress over equivalent plastic strain; in shear it is a third of this.",
+                    "Slope of the shear yield stress over plastic shear strain."));
   deck::Key scaling;
   scaling.name = "yield_scaling";
   scaling.type = deck::Type::word;
@@ -169,10 +169,11 @@ deck::ModelDeclaration declaration() {
 
 std::unique_ptr<Material> make_elastic_plastic(const deck::Material& material, deck::Dimension dimension) {
   if (dimension != deck::Dimension::three)
-    deck::refuse(material.location, fmt::format("material {} is elastic-plastic, which this version has in 3-D only (in "
-                                                "2-D the plastic flow out of the plane is missing); use dimension: 3 "
-                                                "with a thin body, or model: elastic",
-                                                material.name));
+    deck::refuse(material.location,
+                 fmt::format("material {} is elastic-plastic, which this version has in 3-D only (in "
+                             "2-D the plastic flow out of the plane is missing); use dimension: 3 "
+                             "with a thin body, or model: elastic",
+                             material.name));
   const ElasticConstants constants = elastic_constants(material);
   ElasticPlastic::Parameters p;
   p.bulk = constants.bulk;

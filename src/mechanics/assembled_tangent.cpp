@@ -113,7 +113,8 @@ void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diago
         const double* m = tangent.direction(first + j);
         for (int c = 0; c < d; ++c) {
           centre[i][static_cast<std::size_t>((2 * r) * d + c)] -= Tangent::entry(term.p, bonds, first, j) * w * m[c];
-          centre[i][static_cast<std::size_t>((2 * r + 1) * d + c)] -= Tangent::entry(term.q, bonds, first, j) * w * m[c];
+          centre[i][static_cast<std::size_t>((2 * r + 1) * d + c)] -=
+              Tangent::entry(term.q, bonds, first, j) * w * m[c];
         }
       }
     }
@@ -160,8 +161,8 @@ void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diago
         double left[d];
         for (int c = 0; c < d; ++c)
           left[c] = volume * term.coefficient *
-                    (ja >= 0 ? Tangent::entry(term.p, bonds, first, ja) * bonds.weight[static_cast<std::size_t>(first + ja)] *
-                                   tangent.direction(first + ja)[c]
+                    (ja >= 0 ? Tangent::entry(term.p, bonds, first, ja) *
+                                   bonds.weight[static_cast<std::size_t>(first + ja)] * tangent.direction(first + ja)[c]
                              : centre[static_cast<std::size_t>(i)][static_cast<std::size_t>((2 * r) * d + c)]);
         auto add_outer = [&](std::size_t column, const double* right) {
           for (int c = 0; c < d; ++c)

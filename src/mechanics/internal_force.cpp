@@ -23,8 +23,8 @@ void force_of_points(const Scene& scene, const Committed& committed, Trial& tria
     family_kinematics<d>(scene, i, trial.displacement.data(), extension.data(), direction.data(), stretched.data());
     const materials::TrialHistory history{trial.point_history.data() + scene.history().point[i],
                                           trial.bond_history.data() + scene.history().bond[i]};
-    const materials::PointResponse response = scene.material(i).respond(
-        family, extension.data(), committed.history(scene, i), force_state.data(), history);
+    const materials::PointResponse response =
+        scene.material(i).respond(family, extension.data(), committed.history(scene, i), force_state.data(), history);
     trial.dilatation[i] = response.dilatation;
     trial.stored_energy[i] = response.stored_energy;
     trial.stored += volume[i] * response.stored_energy;
@@ -83,8 +83,8 @@ std::string first_not_finite(const Scene& scene, const Trial& trial, const doubl
       double square = 0;
       for (int c = 0; c < d; ++c) {
         const auto ic = static_cast<std::size_t>(i) * d + c, jc = static_cast<std::size_t>(j) * d + c;
-        const double y = scene.body().reference[jc] + trial.displacement[jc] - scene.body().reference[ic] -
-                         trial.displacement[ic];
+        const double y =
+            scene.body().reference[jc] + trial.displacement[jc] - scene.body().reference[ic] - trial.displacement[ic];
         square += y * y;
       }
       if (square == 0)

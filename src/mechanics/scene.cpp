@@ -50,8 +50,7 @@ std::vector<std::string> Scene::point_history_names() const {
 Scene build_scene(const deck::Deck& deck, const Communicator& communicator, body::PartitionReport* report) {
   // Materials first: a wrong constant is said before any particle is made.
   std::vector<std::unique_ptr<materials::Material>> materials;
-  for (const deck::Material& material : deck.materials)
-    materials.push_back(materials::make(material, deck.dimension));
+  for (const deck::Material& material : deck.materials) materials.push_back(materials::make(material, deck.dimension));
   const double horizon = body::horizon_length(deck, communicator);
   const double reach = bonds::reach(deck, horizon, body::largest_spacing(deck, communicator));
   body::Body body = body::build(deck, communicator, reach, report);

@@ -64,7 +64,9 @@ void Tangent::linearise_points(const Committed& committed, deck::TangentForm for
                                {trial_point.data(), trial_bond.data()});
     scene_.material(i).modulus(family, extension.data(), committed.history(scene_, i), form, modulus);
     std::copy(modulus.diagonal(), modulus.diagonal() + family.count, &diagonal_[first]);
-    for (int j = 0; j < family.count; ++j) geometric_[first + static_cast<std::size_t>(j)] = force_state[static_cast<std::size_t>(j)] / stretched[static_cast<std::size_t>(j)];
+    for (int j = 0; j < family.count; ++j)
+      geometric_[first + static_cast<std::size_t>(j)] =
+          force_state[static_cast<std::size_t>(j)] / stretched[static_cast<std::size_t>(j)];
     for (int r = 0; r < modulus.rank(); ++r) {
       const materials::ModulusState::Term& term = modulus.term(r);
       if (term.radial) {

@@ -37,7 +37,8 @@ double dot(const Scene& scene, const std::vector<double>& a, const std::vector<d
 }
 
 /// Squares of (a - b) and of a, summed over each material's particles: [2 * materials].
-std::vector<double> squares_by_material(const Scene& scene, const std::vector<double>& a, const std::vector<double>& b) {
+std::vector<double> squares_by_material(const Scene& scene, const std::vector<double>& a,
+                                        const std::vector<double>& b) {
   const std::size_t count = scene.materials().size();
   std::vector<double> sums(2 * count, 0.0);
   for (std::size_t u = 0; u < a.size(); ++u) {
@@ -78,8 +79,7 @@ TangentCheck check_tangent(const Scene& scene, const Committed& committed, const
   tangent.apply(w.data(), kw.data());
 
   TangentCheck check;
-  check.symmetry = std::abs(dot(scene, w, kv) - dot(scene, v, kw)) /
-                   std::sqrt(dot(scene, w, w) * dot(scene, kv, kv));
+  check.symmetry = std::abs(dot(scene, w, kv) - dot(scene, v, kw)) / std::sqrt(dot(scene, w, w) * dot(scene, kv, kv));
   check.direction = std::numeric_limits<double>::infinity();
   std::vector<double> moved(v.size()), plus(v.size()), minus(v.size()), difference(v.size());
   for (double relative = 1e-3; relative > 5e-9; relative /= 10) {

@@ -41,22 +41,25 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
     }
     twice = body.communicator.sum(twice);
     if (twice > 0)
-      remarks_.push_back(fmt::format("{}: prescribes {} unknowns that an earlier entry prescribes too; this later one "
-                                     "counts",
-                                     load.location.text(), twice));
+      remarks_.push_back(
+          fmt::format("{}: prescribes {} unknowns that an earlier entry prescribes too; this later one "
+                      "counts",
+                      load.location.text(), twice));
     entries_.push_back(std::move(entry));
   }
 
   body.halo.update_ghosts(mark.data(), d);
   prescribed_.assign(mark.size(), 0);
   std::transform(mark.begin(), mark.end(), prescribed_.begin(), [](double m) { return static_cast<char>(m != 0); });
-  const auto mine = std::count(prescribed_.begin(), prescribed_.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()), 1);
+  const auto mine =
+      std::count(prescribed_.begin(), prescribed_.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()), 1);
   prescribed_count_ = body.communicator.sum(static_cast<long long>(mine));
   free_count_ = body.total * d - prescribed_count_;
   if (prescribed_count_ == 0)
-    throw InputError(fmt::format("{}: nothing holds the body: no displacement is prescribed anywhere; add a boundary "
-                                 "entry with displacement",
-                                 deck.file));
+    throw InputError(
+        fmt::format("{}: nothing holds the body: no displacement is prescribed anywhere; add a boundary "
+                    "entry with displacement",
+                    deck.file));
   check_finite(deck.steps.count > 0 ? deck.steps.end / deck.steps.count : deck.steps.end);
   check_finite(deck.steps.end);
 }
@@ -76,10 +79,11 @@ void Boundary::check_finite(double t) const {
       for (const LocalIndex i : *entry.set) {
         if (std::isfinite(value(entry, c, i, t))) continue;
         const deck::Point x = scene_.body().position3(i);
-        sentence = fmt::format("{}: the {} component is not a finite number at ({:g}, {:g}, {:g}) for t = {:g}; check "
-                               "the formula {}",
-                               entry.load->location.text(), axis[c], x[0], x[1], x[2], t,
-                               entry.load->component[static_cast<std::size_t>(c)]->text());
+        sentence = fmt::format(
+            "{}: the {} component is not a finite number at ({:g}, {:g}, {:g}) for t = {:g}; check "
+            "the formula {}",
+            entry.load->location.text(), axis[c], x[0], x[1], x[2], t,
+            entry.load->component[static_cast<std::size_t>(c)]->text());
         break;
       }
   }

@@ -54,7 +54,8 @@ const ForceBalance& EquilibriumModel::evaluate(const double* displacement) const
 std::string EquilibriumModel::not_finite() const {
   const std::string mine = mechanics::first_not_finite(scene_, trial_, force_.data());
   const Communicator& ranks = scene_.body().communicator;
-  const long long speaker = -ranks.max(mine.empty() ? -static_cast<long long>(ranks.size()) : -static_cast<long long>(ranks.rank()));
+  const long long speaker =
+      -ranks.max(mine.empty() ? -static_cast<long long>(ranks.size()) : -static_cast<long long>(ranks.rank()));
   if (speaker == ranks.size()) return "the force balance is not finite";
   auto length = static_cast<int>(mine.size());
   MPI_Bcast(&length, 1, MPI_INT, static_cast<int>(speaker), ranks.mpi());

@@ -11,9 +11,7 @@
 namespace perinox::solve {
 
 namespace {
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 }  // namespace
 
 /// Where the run is on the load axis. Whole steps end at t = end * k/count exactly; a cut step never passes such a t.
@@ -65,8 +63,8 @@ LoadStepper::LoadStepper(const deck::Deck& deck, const mechanics::Scene& scene)
   for (const auto& material : scene.materials()) {
     std::vector<std::size_t>& places = history_place_.emplace_back();
     for (const std::string& name : material->history().point)
-      places.push_back(static_cast<std::size_t>(
-          std::find(history_names_.begin(), history_names_.end(), name) - history_names_.begin()));
+      places.push_back(static_cast<std::size_t>(std::find(history_names_.begin(), history_names_.end(), name) -
+                                                history_names_.begin()));
   }
 }
 
@@ -78,16 +76,15 @@ void LoadStepper::run(Observer& observer) {
     const double t = clock.next(committed_.t());
     mechanics::Trial trial;
     std::vector<double> force;
-    const NewtonResult result =
-        newton_.solve(committed_, t, step_ + 1, first_guess(t), observer, trial, force);
+    const NewtonResult result = newton_.solve(committed_, t, step_ + 1, first_guess(t), observer, trial, force);
     if (!result.converged) {
       observer.step_rejected(committed_.t(), t, result.reason);
       if (!clock.cut())
-        throw RunError(fmt::format("stopped at t = {:.10g} of {:g}, after {} converged steps: the step to t = {:.10g} does "
-                                   "not converge{}; {}",
-                                   committed_.t(), deck_.steps.end, step_, t,
-                                   deck_.steps.adaptive ? " at its smallest size" : " and steps.adaptive is false",
-                                   result.reason));
+        throw RunError(fmt::format(
+            "stopped at t = {:.10g} of {:g}, after {} converged steps: the step to t = {:.10g} does "
+            "not converge{}; {}",
+            committed_.t(), deck_.steps.end, step_, t,
+            deck_.steps.adaptive ? " at its smallest size" : " and steps.adaptive is false", result.reason));
       continue;
     }
     if (converged_) converged_(committed_, trial);
@@ -180,7 +177,8 @@ double LoadStepper::entry_value(const deck::HistoryEntry& entry) const {
       sums[0] += committed_.displacement()[unknown];
     } else {
       for (std::size_t k = 0; k < history_names_.size(); ++k)
-        if (history_names_[k] == "plastic_multiplier" && history_values_[k][static_cast<std::size_t>(i)] > 0) sums[0] += 1;
+        if (history_names_[k] == "plastic_multiplier" && history_values_[k][static_cast<std::size_t>(i)] > 0)
+          sums[0] += 1;
     }
   }
   scene_.body().communicator.sum(sums);

@@ -1,12 +1,12 @@
 #include "perinox/solve/newton.hpp"
 
-#include <fmt/format.h>
-
 #include <NOX.H>
-#include <NOX_SolverStats.hpp>
 #include <NOX_Solver_LineSearchBased.H>
 #include <NOX_StatusTest_Generic.H>
 #include <NOX_Thyra.H>
+#include <fmt/format.h>
+
+#include <NOX_SolverStats.hpp>
 #include <Stratimikos_DefaultLinearSolverBuilder.hpp>
 #include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
 #include <cmath>
@@ -27,7 +27,13 @@ class Equilibrium : public NOX::StatusTest::Generic {
  public:
   Equilibrium(EquilibriumModel& model, const mechanics::Committed& committed, const deck::Newton& settings, int step,
               double t, Observer& observer, const Teuchos::ParameterList& linear)
-      : model_(model), committed_(committed), settings_(settings), step_(step), t_(t), observer_(observer), linear_(linear) {}
+      : model_(model),
+        committed_(committed),
+        settings_(settings),
+        step_(step),
+        t_(t),
+        observer_(observer),
+        linear_(linear) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
     const int iteration = solver.getNumIterations();
@@ -61,7 +67,7 @@ class Equilibrium : public NOX::StatusTest::Generic {
     finite = balance.finite;
     const bool small = row.relative_residual <= settings_.tolerance &&
                        (iteration == 0 || row.relative_update <= settings_.update_tolerance);
-    status_ = !finite                                          ? NOX::StatusTest::Failed
+    status_ = !finite                                            ? NOX::StatusTest::Failed
               : small || row.residual <= model_.rounding_floor() ? NOX::StatusTest::Converged
               : iteration >= settings_.max_iterations            ? NOX::StatusTest::Failed
                                                                  : NOX::StatusTest::Unconverged;
@@ -94,7 +100,8 @@ class Equilibrium : public NOX::StatusTest::Generic {
 };
 
 RCP<Thyra::LinearOpWithSolveFactoryBase<double>> belos_factory(const deck::Linear& linear, bool symmetric) {
-  const bool cg = linear.method == deck::LinearMethod::cg || (linear.method == deck::LinearMethod::automatic && symmetric);
+  const bool cg =
+      linear.method == deck::LinearMethod::cg || (linear.method == deck::LinearMethod::automatic && symmetric);
   const std::string solver = cg ? "Pseudo Block CG" : "Pseudo Block GMRES";
   auto parameters = rcp(new Teuchos::ParameterList);
   parameters->set("Linear Solver Type", "Belos");
@@ -119,9 +126,13 @@ RCP<Thyra::LinearOpWithSolveFactoryBase<double>> belos_factory(const deck::Linea
 
 struct Newton::Parts {
   Parts(const deck::Deck& deck_, const mechanics::Scene& scene_, const Boundary& boundary_)
-      : deck(deck_), scene(scene_), boundary(boundary_), system(scene_, boundary_.prescribed(), deck_.solver),
+      : deck(deck_),
+        scene(scene_),
+        boundary(boundary_),
+        system(scene_, boundary_.prescribed(), deck_.solver),
         model(rcp(new EquilibriumModel(scene_, boundary_, system))),
-        factory(belos_factory(deck_.solver.linear, system.symmetric())), external(scene_.owned_unknowns()) {}
+        factory(belos_factory(deck_.solver.linear, system.symmetric())),
+        external(scene_.owned_unknowns()) {}
 
   /// Solution of the tangent system at the committed state for the step's change of load and prescribed displacement:
   /// the first guess of the step. Returns linear iterations, or -1 if the linear solver failed.
@@ -158,8 +169,7 @@ int Newton::Parts::predict(const mechanics::Committed& committed, std::vector<do
   auto right = rcp(new tpetra::Vector(system.map())), left = rcp(new tpetra::Vector(system.map()));
   {
     const auto values = right->getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (std::size_t u = 0; u < unknowns; ++u)
-      values(u, 0) = fixed[u] ? 0 : model->force()[u] + external[u] - stiff[u];
+    for (std::size_t u = 0; u < unknowns; ++u) values(u, 0) = fixed[u] ? 0 : model->force()[u] + external[u] - stiff[u];
   }
   const auto space = model->get_x_space();
   auto solver = factory->createOp();
@@ -247,8 +257,8 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
   const auto space = p.model->get_x_space();
   const NOX::Thyra::Vector initial(Thyra::createVector<double, LocalIndex, GlobalId>(start, space));
   const RCP<Thyra::PreconditionerFactoryBase<double>> no_factory;
-  auto group = rcp(new NOX::Thyra::Group(initial, p.model, p.model->create_W_op(), p.factory, p.model->create_W_prec(),
-                                         no_factory));
+  auto group = rcp(
+      new NOX::Thyra::Group(initial, p.model, p.model->create_W_op(), p.factory, p.model->create_W_prec(), no_factory));
   auto parameters = p.nox_parameters();
   auto test = rcp(new Equilibrium(*p.model, committed, p.deck.solver.newton, step, t, observer,
                                   parameters->sublist("Direction").sublist("Newton").sublist("Linear Solver")));
@@ -278,8 +288,9 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
     result.reason = fmt::format("Newton did not converge in {} iterations (relative residual {:.2e})",
                                 test->last.iteration, test->last.relative_residual);
   else
-    result.reason = fmt::format("no step length along Newton's direction lowers the residual (relative residual {:.2e})",
-                                test->last.relative_residual);
+    result.reason =
+        fmt::format("no step length along Newton's direction lowers the residual (relative residual {:.2e})",
+                    test->last.relative_residual);
   return result;
 }
 

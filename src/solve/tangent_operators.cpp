@@ -77,8 +77,8 @@ class TangentSystem::BlockJacobi : public OwnedOperator {
     const std::size_t size = static_cast<std::size_t>(d_) * d_;
     inverse_.resize(blocks.size());
     for (std::size_t i = 0; i < blocks.size() / size; ++i) {
-      Eigen::MatrixXd block =
-          Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(&blocks[i * size], d_, d_);
+      Eigen::MatrixXd block = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+          &blocks[i * size], d_, d_);
       for (int c = 0; c < d_; ++c) {
         if (!prescribed_[i * d_ + c]) continue;
         block.row(c).setZero();
@@ -119,13 +119,20 @@ namespace {
 
 std::string name_of(deck::Preconditioner kind) {
   switch (kind) {
-    case deck::Preconditioner::none: return "none";
-    case deck::Preconditioner::block_jacobi: return "block-jacobi";
-    case deck::Preconditioner::jacobi: return "jacobi";
-    case deck::Preconditioner::symmetric_gauss_seidel: return "symmetric-gauss-seidel";
-    case deck::Preconditioner::chebyshev: return "chebyshev";
-    case deck::Preconditioner::ilu: return "ilu";
-    case deck::Preconditioner::automatic: break;
+    case deck::Preconditioner::none:
+      return "none";
+    case deck::Preconditioner::block_jacobi:
+      return "block-jacobi";
+    case deck::Preconditioner::jacobi:
+      return "jacobi";
+    case deck::Preconditioner::symmetric_gauss_seidel:
+      return "symmetric-gauss-seidel";
+    case deck::Preconditioner::chebyshev:
+      return "chebyshev";
+    case deck::Preconditioner::ilu:
+      return "ilu";
+    case deck::Preconditioner::automatic:
+      break;
   }
   return "automatic";
 }
@@ -168,8 +175,9 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
   if (kind == deck::Preconditioner::automatic)
     kind = assembled ? deck::Preconditioner::symmetric_gauss_seidel : deck::Preconditioner::block_jacobi;
   if (!assembled && kind != deck::Preconditioner::none && kind != deck::Preconditioner::block_jacobi)
-    deck::refuse(solver_.location, "solver.linear.preconditioner: " + name_of(kind) +
-                                       " needs the assembled matrix; set solver.tangent: assembled, or use block-jacobi");
+    deck::refuse(solver_.location,
+                 "solver.linear.preconditioner: " + name_of(kind) +
+                     " needs the assembled matrix; set solver.tangent: assembled, or use block-jacobi");
   masked_ = Teuchos::rcp(new Masked(map_, tangent_, prescribed_));
   operator_ = masked_;
   if (assembled) {

@@ -1,7 +1,6 @@
-#include "perinox/core/communicator.hpp"
-
 #include <gtest/gtest.h>
 
+#include "perinox/core/communicator.hpp"
 #include "perinox/core/error.hpp"
 
 namespace perinox::testing {

@@ -1,5 +1,5 @@
-/// Families that pre-cracks have cut, and bodies that form no bonds with each other: derivative, symmetry and balance hold
-/// for what is left, flowing or not, because the weighted volume is that of what is left.
+/// Families that pre-cracks have cut, and bodies that form no bonds with each other: derivative, symmetry and balance
+/// hold for what is left, flowing or not, because the weighted volume is that of what is left.
 #include <gtest/gtest.h>
 
 #include "perinox/mechanics/tangent_check.hpp"
@@ -17,7 +17,7 @@ void expect_sound(const deck::Deck& deck, Materials materials, bool flows) {
       mechanics::check_tangent(scene, committed, field, deck::TangentForm::consistent, true);
   EXPECT_EQ(check.yielding > 0, flows);
   EXPECT_LE(measured("cut families: tangent against central differences", check.direction), 1e-8);  // 4.0e-10
-  EXPECT_LE(measured("cut families: asymmetry", check.symmetry), 1e-14);                             // 5.1e-17
+  EXPECT_LE(measured("cut families: asymmetry", check.symmetry), 1e-14);                            // 5.1e-17
   EXPECT_LE(measured("cut families: assembled against matrix-free", check.assembled), 1e-13);       // 7.4e-16
 }
 

@@ -39,8 +39,8 @@ void compare(const deck::Deck& deck, const char* name) {
     EXPECT_NEAR(one.stored_energy, many.stored_energy, 1e-9 * one.stored_energy);
   }
   if (world.is_root())
-    std::printf("%s on %d ranks: displacement %.1e, force %.1e, iterations differ by at most %d Newton, %d linear\n", name,
-                world.size(), difference, force, newton, linear);
+    std::printf("%s on %d ranks: displacement %.1e, force %.1e, iterations differ by at most %d Newton, %d linear\n",
+                name, world.size(), difference, force, newton, linear);
   // Measured on 2, 3, 4 ranks: printed by the line above.
   EXPECT_LE(difference, 1e-10);
   EXPECT_LE(newton, 1);

@@ -32,7 +32,8 @@ TEST(LoadStepper, ReactionsBalanceAndPullOutwards) {
 
 TEST(LoadStepper, AFailedStepIsHalvedAndGrownAgain) {
   // Three iterations do not reach 1e-10 on the long plastic step, but do on a part of it.
-  const deck::Deck deck = deck_of(pulled_cube(6, 0.1, 2), {"solver.newton.max_iterations=3", "solver.newton.tolerance=1e-10"});
+  const deck::Deck deck =
+      deck_of(pulled_cube(6, 0.1, 2), {"solver.newton.max_iterations=3", "solver.newton.tolerance=1e-10"});
   const RunResult run = run_deck(deck);
   ASSERT_EQ(run.stopped, "");
   ASSERT_FALSE(run.records.rejected.empty());
@@ -115,7 +116,7 @@ history:
   const RunResult run = run_deck(deck_of(deck));
   ASSERT_EQ(run.stopped, "");
   const std::vector<double>& history = run.records.steps.back().history;
-  EXPECT_NEAR(history[0], -0.5 * 128, 1e-6 * 64);         // body force times volume
+  EXPECT_NEAR(history[0], -0.5 * 128, 1e-6 * 64);           // body force times volume
   EXPECT_NEAR(history[1], -(100 + 0.1 * 2.0 * 128), 1e-4);  // total force, and 0.1 x over a mean x of 2
   EXPECT_NEAR(history[2], 0, 1e-4);
 }

@@ -10,9 +10,9 @@ namespace {
 
 // 6061-T6 of Mitchell's Table 1; one bond of length 1 between two points of volume 1, omega = 1, so m = 1 at each.
 const double mu = 25.9e3;
-const double alpha = 15 * mu;                                             // 15 mu/m
-const double tau = 203.1 / std::sqrt(3.0);                                // (56)
-const double beta = std::sqrt(75 / (4 * std::acos(-1.0))) * tau;          // sqrt(2 psi0) of (51), horizon 1
+const double alpha = 15 * mu;                                     // 15 mu/m
+const double tau = 203.1 / std::sqrt(3.0);                        // (56)
+const double beta = std::sqrt(75 / (4 * std::acos(-1.0))) * tau;  // sqrt(2 psi0) of (51), horizon 1
 
 struct Point {
   double extension;

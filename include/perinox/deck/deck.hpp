@@ -22,18 +22,35 @@ int unknowns(Dimension dimension);
 
 // --- shapes -------------------------------------------------------------------------------------------------------
 struct Shape;
-struct Box { Point min, max; };
+struct Box {
+  Point min, max;
+};
 /// Solid between the centres of its two end faces.
-struct Cylinder { Point start, end; double radius; };
+struct Cylinder {
+  Point start, end;
+  double radius;
+};
 /// In 2-D a disc.
-struct Sphere { Point center; double radius; };
+struct Sphere {
+  Point center;
+  double radius;
+};
 /// Box with a round hole along z through `center`.
-struct PlateWithHole { Point min, max, center; double radius; };
-struct Union { std::vector<Shape> parts; };
+struct PlateWithHole {
+  Point min, max, center;
+  double radius;
+};
+struct Union {
+  std::vector<Shape> parts;
+};
 /// The first part without all the others.
-struct Difference { std::vector<Shape> parts; };
+struct Difference {
+  std::vector<Shape> parts;
+};
 /// Point cloud: CSV with header x,y,z,volume.
-struct CloudFile { std::string path; };
+struct CloudFile {
+  std::string path;
+};
 struct Shape {
   Location location;
   std::variant<Box, Cylinder, Sphere, PlateWithHole, Union, Difference, CloudFile> form;
@@ -52,17 +69,24 @@ struct BodyPart {
 /// Exactly one of the two is given.
 struct Horizon {
   Location location;
-  std::optional<double> ratio;   ///< of the largest spacing
+  std::optional<double> ratio;  ///< of the largest spacing
   std::optional<double> length;
 };
 enum class Influence { constant, inverse, polynomial };
 enum class Quadrature { whole, partial_volume, taper_inside };
 
 /// Parallelogram corner + a*edge1 + b*edge2, 0 <= a, b <= 1.
-struct CrackRectangle { Point corner, edge1, edge2; };
-struct CrackDisc { Point center, normal; double radius; };
+struct CrackRectangle {
+  Point corner, edge1, edge2;
+};
+struct CrackDisc {
+  Point center, normal;
+  double radius;
+};
 /// 2-D: a straight cut.
-struct CrackSegment { Point start, end; };
+struct CrackSegment {
+  Point start, end;
+};
 struct Crack {
   Location location;
   std::variant<CrackRectangle, CrackDisc, CrackSegment> form;
@@ -78,10 +102,18 @@ struct Material {
 };
 
 // --- sets, loads --------------------------------------------------------------------------------------------------
-struct SetWhere { Expression condition; };
-struct SetBox { Point min, max; };
-struct SetIds { std::vector<long long> ids; };
-struct SetBody { std::string body; };
+struct SetWhere {
+  Expression condition;
+};
+struct SetBox {
+  Point min, max;
+};
+struct SetIds {
+  std::vector<long long> ids;
+};
+struct SetBody {
+  std::string body;
+};
 struct Set {
   Location location;
   std::string name;
@@ -102,10 +134,10 @@ struct Load {
 
 // --- solution -----------------------------------------------------------------------------------------------------
 struct Steps {
-  double end = 1;       ///< load parameter t at the end; t starts at 0
-  int count = 10;       ///< steps of equal size
-  bool adaptive = true; ///< halve a failed step, grow it again
-  int max_cuts = 8;     ///< smallest step = (end/count)/2^max_cuts
+  double end = 1;        ///< load parameter t at the end; t starts at 0
+  int count = 10;        ///< steps of equal size
+  bool adaptive = true;  ///< halve a failed step, grow it again
+  int max_cuts = 8;      ///< smallest step = (end/count)/2^max_cuts
 };
 enum class TangentKind { matrix_free, assembled };
 enum class TangentForm { consistent, printed };
@@ -123,7 +155,7 @@ struct Newton {
 struct Linear {
   LinearMethod method = LinearMethod::automatic;
   Preconditioner preconditioner = Preconditioner::automatic;
-  double tolerance = 1e-4;         ///< constant forcing: tolerance; Eisenstat-Walker: the loosest one
+  double tolerance = 1e-4;  ///< constant forcing: tolerance; Eisenstat-Walker: the loosest one
   int max_iterations = 2000;
 };
 struct Solver {

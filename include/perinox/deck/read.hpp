@@ -13,8 +13,8 @@ Deck read(const std::string& file, const Schema& schema, const std::vector<std::
 /// The same from text; `file` is only named in messages.
 Deck read_text(const std::string& yaml, const std::string& file, const Schema& schema,
                const std::vector<std::string>& overrides = {});
-/// The deck with every default filled in, as YAML that reads back to the same deck. Input-file paths in it are absolute,
-/// so that it runs from the results folder.
+/// The deck with every default filled in, as YAML that reads back to the same deck. Input-file paths in it are
+/// absolute, so that it runs from the results folder.
 std::string write_resolved(const Deck& deck);
 
 /// The candidate nearest to `word` by edit distance, or "" if none is near.

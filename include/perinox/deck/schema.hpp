@@ -9,7 +9,7 @@
 namespace perinox::deck {
 
 enum class Type {
-  number,      ///< finite real
+  number,  ///< finite real
   integer,
   boolean,
   text,
@@ -26,10 +26,10 @@ enum class Type {
 struct Key {
   std::string name;
   Type type = Type::number;
-  std::string unit;       ///< "length", "stress", "force", "-" ...
-  std::string sentence;   ///< what it means, one sentence
+  std::string unit;      ///< "length", "stress", "force", "-" ...
+  std::string sentence;  ///< what it means, one sentence
   bool required = false;
-  std::optional<std::string> fallback;  ///< default, as YAML text
+  std::optional<std::string> fallback;     ///< default, as YAML text
   std::optional<double> minimum, maximum;  ///< of numbers and integers
   bool exclusive_minimum = false;
   std::vector<std::string> words;

@@ -22,7 +22,8 @@ class Value {
   // maps
   /// True if the key has a value, written or by default; false for an optional key that was left out.
   bool has(const std::string& key) const;
-  /// A value of kind `none` for an optional key that was left out. Throws std::logic_error for a key the schema does not have: a fault of the program, not of the user.
+  /// A value of kind `none` for an optional key that was left out. Throws std::logic_error for a key the schema does
+  /// not have: a fault of the program, not of the user.
   const Value& at(const std::string& key) const;
   /// The keys that have a value, in the schema's order (for user-chosen names: in the file's order).
   const std::vector<std::pair<std::string, Value>>& entries() const;

@@ -10,10 +10,10 @@ namespace perinox::materials {
 class ElasticPlastic : public Material {
  public:
   struct Parameters {
-    double bulk = 0;            ///< k, stress
-    double shear = 0;           ///< mu, stress
-    double yield_shear = 0;     ///< tau_y: yield stress in pure shear
-    double hardening_shear = 0; ///< d tau_y / d gamma_p
+    double bulk = 0;               ///< k, stress
+    double shear = 0;              ///< mu, stress
+    double yield_shear = 0;        ///< tau_y: yield stress in pure shear
+    double hardening_shear = 0;    ///< d tau_y / d gamma_p
     bool continuum_yield = false;  ///< psi0 from the continuum m (Eq. 51) instead of each point's own
     bool with_dilatation = true;
   };
@@ -30,15 +30,15 @@ class ElasticPlastic : public Material {
   /// Everything the radial return decides for one family.
   struct Return {
     double dilatation = 0;
-    double alpha = 0;           ///< d(d+2) mu/m
-    double strain_square = 0;   ///< sum omega (e_d - e_p^n)^2 weight
-    double trial_norm = 0;      ///< N (Eq. 40, weighted)
-    double yield_scale = 0;     ///< c: beta = c tau
-    double scale = 1;           ///< s = beta/N; 1 where elastic
-    double beta = 0;            ///< at the end of the step
-    double beta_slope = 0;      ///< d beta/d N
-    double plastic_shear = 0;   ///< Delta gamma_p
-    double potential = 0;       ///< work of tau over Delta gamma_p
+    double alpha = 0;          ///< d(d+2) mu/m
+    double strain_square = 0;  ///< sum omega (e_d - e_p^n)^2 weight
+    double trial_norm = 0;     ///< N (Eq. 40, weighted)
+    double yield_scale = 0;    ///< c: beta = c tau
+    double scale = 1;          ///< s = beta/N; 1 where elastic
+    double beta = 0;           ///< at the end of the step
+    double beta_slope = 0;     ///< d beta/d N
+    double plastic_shear = 0;  ///< Delta gamma_p
+    double potential = 0;      ///< work of tau over Delta gamma_p
     bool yielding = false;
   };
   Return radial_return(const Family& family, const double* extension, CommittedHistory committed) const;

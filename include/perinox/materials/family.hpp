@@ -36,11 +36,11 @@ struct HistoryLayout {
 
 /// What one evaluation of a point yields besides its force state.
 struct PointResponse {
-  double dilatation = 0;     ///< theta (Eq. 9), dimensionless
-  double stored_energy = 0;  ///< recoverable energy a volume, W
-  double dissipation = 0;    ///< Delta lambda beta^2 of this step, energy a volume, >= 0
+  double dilatation = 0;           ///< theta (Eq. 9), dimensionless
+  double stored_energy = 0;        ///< recoverable energy a volume, W
+  double dissipation = 0;          ///< Delta lambda beta^2 of this step, energy a volume, >= 0
   double hardening_potential = 0;  ///< work of the yield value over the step's flow; W + this is t's potential
-  bool yielding = false;     ///< plastic flow in this step
+  bool yielding = false;           ///< plastic flow in this step
 };
 
 /// Linearisation of one point's scalar force state,

@@ -10,8 +10,8 @@ namespace perinox::mechanics {
 /// Map of the owned unknowns: unknown c of particle g has the global number g * dimension + c.
 Teuchos::RCP<const tpetra::Map> unknowns_map(const body::Body& body);
 
-/// The tangent as a sparse matrix of dimension x dimension blocks: particle a is coupled to every particle that shares a
-/// family with it. The pattern is built once; fill() only writes values. Rows and columns of prescribed unknowns are
+/// The tangent as a sparse matrix of dimension x dimension blocks: particle a is coupled to every particle that shares
+/// a family with it. The pattern is built once; fill() only writes values. Rows and columns of prescribed unknowns are
 /// replaced by a diagonal.
 class AssembledTangent {
  public:
@@ -33,9 +33,9 @@ class AssembledTangent {
   const Scene& scene_;
   std::vector<char> prescribed_;
   // Block pattern over local rows (owned, then ghosts): what this rank's own families contribute.
-  std::vector<std::size_t> row_begin_;      ///< [local + 1]
-  std::vector<LocalIndex> column_;          ///< ascending within a row
-  std::vector<std::size_t> touching_begin_; ///< [local + 1]
+  std::vector<std::size_t> row_begin_;       ///< [local + 1]
+  std::vector<LocalIndex> column_;           ///< ascending within a row
+  std::vector<std::size_t> touching_begin_;  ///< [local + 1]
   /// Families that contain particle a: (centre, place in its family; -1: a is the centre).
   struct Touch {
     LocalIndex centre;

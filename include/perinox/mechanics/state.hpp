@@ -8,7 +8,7 @@ namespace perinox::mechanics {
 /// A state under trial: what one evaluation of the internal force leaves behind. Worthless until committed.
 struct Trial {
   double t = 0;
-  std::vector<double> displacement;   ///< [local * dimension], ghosts up to date
+  std::vector<double> displacement;  ///< [local * dimension], ghosts up to date
   std::vector<double> point_history;
   std::vector<double> bond_history;
   std::vector<double> dilatation;     ///< [owned]

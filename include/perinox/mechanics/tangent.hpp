@@ -31,7 +31,9 @@ class Tangent {
     const double* p = nullptr;  ///< [family]; null: omega xi
     const double* q = nullptr;
   };
-  const double* direction(std::int64_t bond) const { return &direction_[static_cast<std::size_t>(bond) * static_cast<std::size_t>(scene_.dimension())]; }
+  const double* direction(std::int64_t bond) const {
+    return &direction_[static_cast<std::size_t>(bond) * static_cast<std::size_t>(scene_.dimension())];
+  }
   double diagonal(std::int64_t bond) const { return diagonal_[static_cast<std::size_t>(bond)]; }
   /// t/|Y|, force a volume squared and length.
   double geometric(std::int64_t bond) const { return geometric_[static_cast<std::size_t>(bond)]; }
@@ -39,7 +41,9 @@ class Tangent {
   const Term& term(LocalIndex i, int r) const { return terms_[static_cast<std::size_t>(term_begin_[i] + r)]; }
   /// omega xi of a bond where the pointer of a term is null.
   static double entry(const double* state, const bonds::Bonds& bonds, std::int64_t first, int j) {
-    return state ? state[j] : bonds.influence[static_cast<std::size_t>(first + j)] * bonds.length[static_cast<std::size_t>(first + j)];
+    return state ? state[j]
+                 : bonds.influence[static_cast<std::size_t>(first + j)] *
+                       bonds.length[static_cast<std::size_t>(first + j)];
   }
 
   /// Bytes held by the linearisation on this rank.
@@ -55,14 +59,14 @@ class Tangent {
   double* keep(const double* values, int count);
 
   const Scene& scene_;
-  std::vector<double> direction_;   ///< [bonds * d] M
-  std::vector<double> diagonal_;    ///< [bonds] D
-  std::vector<double> geometric_;   ///< [bonds] t/|Y|
+  std::vector<double> direction_;         ///< [bonds * d] M
+  std::vector<double> diagonal_;          ///< [bonds] D
+  std::vector<double> geometric_;         ///< [bonds] t/|Y|
   std::vector<std::int64_t> term_begin_;  ///< [owned + 1]
   std::vector<Term> terms_;
   std::vector<std::vector<double>> pool_;  ///< storage of the terms' states, in blocks that never move
   std::size_t pool_block_ = 0, pool_used_ = 0;
-  mutable std::vector<double> x_, y_;     ///< [local * d] with ghosts
+  mutable std::vector<double> x_, y_;  ///< [local * d] with ghosts
 };
 
 }  // namespace perinox::mechanics

@@ -26,8 +26,8 @@ class LoadStepper {
   /// Collective. Throws InputError for a scene that cannot be run.
   LoadStepper(const deck::Deck& deck, const mechanics::Scene& scene);
 
-  /// Runs to the end. Throws RunError with the reason if it cannot go on; every step committed before has been handed to
-  /// the observer.
+  /// Runs to the end. Throws RunError with the reason if it cannot go on; every step committed before has been handed
+  /// to the observer.
   void run(Observer& observer);
 
   /// Called with the state a step started from and the converged one, before it is committed (`perinox verify`).
@@ -65,7 +65,7 @@ class LoadStepper {
   Converged converged_;
   std::vector<std::string> history_names_;
   std::vector<std::vector<std::size_t>> history_place_;  ///< [material][point variable] index into history_names_
-  std::vector<std::vector<double>> history_values_;  ///< point history spread over all owned particles
+  std::vector<std::vector<double>> history_values_;      ///< point history spread over all owned particles
   int step_ = 0;
 };
 

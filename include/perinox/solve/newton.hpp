@@ -13,9 +13,9 @@ namespace perinox::solve {
 
 /// Sizes of the out-of-balance force and of what it is measured against; the same on every rank.
 struct ForceBalance {
-  double residual = 0;   ///< 2-norm of internal + external force over the free unknowns
-  double reaction = 0;   ///< 2-norm of it over the prescribed unknowns
-  double external = 0;   ///< 2-norm of the external force
+  double residual = 0;      ///< 2-norm of internal + external force over the free unknowns
+  double reaction = 0;      ///< 2-norm of it over the prescribed unknowns
+  double external = 0;      ///< 2-norm of the external force
   double displacement = 0;  ///< 2-norm of the displacement
   bool finite = true;
 

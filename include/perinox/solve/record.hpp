@@ -15,20 +15,20 @@ struct NewtonIteration {
   double update = 0;             ///< 2-norm of this iteration's change of displacement; 0 in iteration 0
   double relative_update = 0;    ///< update over the 2-norm of the step's whole displacement increment
   int linear_iterations = 0;
-  double forcing = 0;            ///< tolerance asked of the linear solve; 0 in iteration 0
-  double step_length = 1;        ///< of the line search
+  double forcing = 0;      ///< tolerance asked of the linear solve; 0 in iteration 0
+  double step_length = 1;  ///< of the line search
 };
 
 /// A point field of the owned particles, in the body's own order.
 struct Field {
   std::string name;
-  int components = 1;            ///< 1, or the body's dimension
-  const double* values = nullptr;///< [owned * components]
+  int components = 1;              ///< 1, or the body's dimension
+  const double* values = nullptr;  ///< [owned * components]
 };
 
 /// One converged and committed step: one row of history.csv, one group of results.h5.
 struct StepRecord {
-  int step = 0;                  ///< 1, 2, ...
+  int step = 0;  ///< 1, 2, ...
   double t = 0;
   int newton_iterations = 0;
   int linear_iterations = 0;

@@ -8,8 +8,9 @@
 
 namespace perinox::solve {
 
-/// The linear system of one scene: the tangent restricted to the free unknowns (prescribed ones carry a diagonal and are
-/// coupled to nothing, which keeps it symmetric), as an operator, and its preconditioner. Both are updated in place.
+/// The linear system of one scene: the tangent restricted to the free unknowns (prescribed ones carry a diagonal and
+/// are coupled to nothing, which keeps it symmetric), as an operator, and its preconditioner. Both are updated in
+/// place.
 class TangentSystem {
  public:
   /// prescribed: [local * dimension], ghosts up to date. Collective.
@@ -28,7 +29,8 @@ class TangentSystem {
   Teuchos::RCP<const tpetra::Map> map() const { return map_; }
   /// True if conjugate gradients may be used.
   bool symmetric() const;
-  /// Root mean square of the diagonal of K over the free unknowns, force a length: the scale of stiffness. Set by update().
+  /// Root mean square of the diagonal of K over the free unknowns, force a length: the scale of stiffness. Set by
+  /// update().
   double stiffness_scale() const { return stiffness_scale_; }
   /// Products K x so far.
   long long products() const;
