@@ -299,5 +299,18 @@ TEST_P(Input, IsValidAndItsCommandRuns) {
 
 INSTANTIATE_TEST_SUITE_P(Cli, Input, ::testing::ValuesIn(inputs()), [](const auto& one) { return one.param; });
 
+// The first ```yaml block of the README is a whole deck.
+TEST(Readme, TheFirstDeckIsValid) {
+  const std::string text = read(source / "README.md");
+  const std::string fence = "```yaml\n";
+  const std::size_t begin = text.find(fence);
+  ASSERT_NE(begin, std::string::npos);
+  const Folder folder;
+  folder.write("first.yaml", text.substr(begin + fence.size(), text.find("```\n", begin + 1) - begin - fence.size()));
+  const Outcome outcome = folder.perinox({"check", "first.yaml"});
+  EXPECT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_THAT(outcome.out, HasSubstr("  block: 3000 particles of aluminium\n"));
+}
+
 }  // namespace
 }  // namespace perinox::cli

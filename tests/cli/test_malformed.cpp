@@ -27,7 +27,7 @@ const Mistake mistakes_in_decks[] = {
     {"quotes_not_closed", &base_deck, "\"z < 1\"", "\"z < 1",
      "deck.yaml:19:18: the map opened with { here is not closed, or a comma is missing in it"},
     {"two_documents", &base_deck, "sets:\n", "---\nsets:\n",
-     "deck.yaml:18:1: a second YAML document starts here; a deck is one document, so remove the line ---"},
+     "deck.yaml:17:1: a second YAML document starts here; a deck is one document, so remove the line ---"},
     {"key_without_value", &base_deck, "spacing: 1.0",
      "spacing:", "deck.yaml:6:5: spacing has no value; give it a number or remove it"},
     {"key_twice", &base_deck, "influence: constant\n", "influence: constant\ninfluence: inverse\n",
