@@ -1,45 +1,12 @@
 #include "perinox/solve/tangent_operators.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <Ifpack2_Factory.hpp>
 #include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_MultiVector.hpp>
-#include <Tpetra_Operator.hpp>
 #include <cmath>
 
+#include "perinox/solve/block_jacobi.hpp"
+
 namespace perinox::solve {
-
-namespace {
-
-/// Base of our operators: Tpetra's calling convention around "y = A x" on the owned unknowns of one vector.
-class OwnedOperator : public tpetra::Operator {
- public:
-  explicit OwnedOperator(Teuchos::RCP<const tpetra::Map> map) : map_(std::move(map)) {}
-  Teuchos::RCP<const tpetra::Map> getDomainMap() const override { return map_; }
-  Teuchos::RCP<const tpetra::Map> getRangeMap() const override { return map_; }
-  bool hasTransposeApply() const override { return false; }
-
-  void apply(const tpetra::MultiVector& x, tpetra::MultiVector& y, Teuchos::ETransp, double alpha,
-             double beta) const override {
-    result_.resize(map_->getNodeNumElements());
-    for (std::size_t k = 0; k < x.getNumVectors(); ++k) {
-      const auto from = x.getVector(k)->getLocalViewHost(Tpetra::Access::ReadOnly);
-      multiply(from.data(), result_.data());
-      const auto to = y.getVectorNonConst(k)->getLocalViewHost(Tpetra::Access::ReadWrite);
-      for (std::size_t u = 0; u < result_.size(); ++u)
-        to(u, 0) = beta == 0 ? alpha * result_[u] : alpha * result_[u] + beta * to(u, 0);
-    }
-  }
-  virtual void multiply(const double* x, double* y) const = 0;
-
- private:
-  Teuchos::RCP<const tpetra::Map> map_;
-  mutable std::vector<double> result_;
-};
-
-}  // namespace
 
 /// K on the free unknowns, a diagonal on the prescribed ones.
 class TangentSystem::Masked : public OwnedOperator {
@@ -65,48 +32,6 @@ class TangentSystem::Masked : public OwnedOperator {
   const mechanics::Tangent& tangent_;
   const std::vector<char>& prescribed_;
   mutable std::vector<double> free_;
-};
-
-/// Inverse of every particle's own diagonal block of K, prescribed unknowns left out.
-class TangentSystem::BlockJacobi : public OwnedOperator {
- public:
-  BlockJacobi(Teuchos::RCP<const tpetra::Map> map, int dimension, const std::vector<char>& prescribed)
-      : OwnedOperator(std::move(map)), d_(dimension), prescribed_(prescribed) {}
-
-  void set(const std::vector<double>& blocks, double diagonal) {
-    const std::size_t size = static_cast<std::size_t>(d_) * d_;
-    inverse_.resize(blocks.size());
-    for (std::size_t i = 0; i < blocks.size() / size; ++i) {
-      Eigen::MatrixXd block = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-          &blocks[i * size], d_, d_);
-      for (int c = 0; c < d_; ++c) {
-        if (!prescribed_[i * d_ + c]) continue;
-        block.row(c).setZero();
-        block.col(c).setZero();
-        block(c, c) = diagonal;
-      }
-      // A preconditioner for conjugate gradients must be definite: where a softened block is not, its diagonal's
-      // absolute values stand in.
-      if (Eigen::LLT<Eigen::MatrixXd>(block).info() != Eigen::Success)
-        block = block.diagonal().cwiseAbs().cwiseMax(1e-3 * diagonal).asDiagonal().toDenseMatrix();
-      Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(&inverse_[i * size], d_, d_) =
-          block.inverse();
-    }
-  }
-
-  void multiply(const double* x, double* y) const override {
-    for (std::size_t i = 0; i < inverse_.size() / (d_ * d_); ++i)
-      for (int c = 0; c < d_; ++c) {
-        double sum = 0;
-        for (int e = 0; e < d_; ++e) sum += inverse_[(i * d_ + c) * d_ + e] * x[i * d_ + e];
-        y[i * d_ + c] = sum;
-      }
-  }
-
- private:
-  int d_;
-  const std::vector<char>& prescribed_;
-  std::vector<double> inverse_;
 };
 
 /// An Ifpack2 preconditioner of the assembled matrix.

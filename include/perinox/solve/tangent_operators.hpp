@@ -8,6 +8,8 @@
 
 namespace perinox::solve {
 
+class BlockJacobi;
+
 /// The linear system of one scene: the tangent restricted to the free unknowns (prescribed ones carry a diagonal and
 /// are coupled to nothing, which keeps it symmetric), as an operator, and its preconditioner. Both are updated in
 /// place.
@@ -41,7 +43,6 @@ class TangentSystem {
 
  private:
   class Masked;
-  class BlockJacobi;
   struct Sparse;
   const mechanics::Scene& scene_;
   std::vector<char> prescribed_;

@@ -1,0 +1,45 @@
+#pragma once
+/// When a step counts as converged, for NOX. A heavy header: only newton.cpp includes it.
+#include <NOX_StatusTest_Generic.H>
+
+#include <Teuchos_ParameterList.hpp>
+#include <ostream>
+
+#include "perinox/solve/equilibrium_model.hpp"
+
+namespace perinox::solve {
+
+/// Converged when the residual is small against the reactions and the last update is small against the step; or when
+/// nothing but rounding is left. Also tells the observer of every iterate.
+class EquilibriumTest : public NOX::StatusTest::Generic {
+ public:
+  /// linear: the list NOX writes the forcing term into. Everything is kept by reference.
+  EquilibriumTest(const EquilibriumModel& model, const mechanics::Committed& committed, const deck::Newton& settings,
+                  int step, double t, Observer& observer, const Teuchos::ParameterList& linear);
+
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override;
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int) const override { return stream; }
+
+  /// The last iterate that was judged.
+  const NewtonIteration& last() const { return last_; }
+  /// False if its force balance had an infinity or was not a number.
+  bool finite() const { return finite_; }
+
+ private:
+  NewtonIteration describe(const NOX::Solver::Generic& solver);
+
+  const EquilibriumModel& model_;
+  const mechanics::Committed& committed_;
+  const deck::Newton& settings_;
+  int step_;
+  double t_;
+  Observer& observer_;
+  const Teuchos::ParameterList& linear_;
+  NewtonIteration last_;
+  bool finite_ = true;
+  int judged_ = -1;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+};
+
+}  // namespace perinox::solve

@@ -1,0 +1,29 @@
+#pragma once
+/// Belos through Thyra. A heavy header: only newton.cpp includes it.
+#include <Thyra_LinearOpWithSolveFactoryBase.hpp>
+#include <Thyra_PreconditionerBase.hpp>
+#include <string>
+
+#include "perinox/core/tpetra.hpp"
+#include "perinox/deck/deck.hpp"
+
+namespace perinox::solve {
+
+using LinearSolverFactory = Thyra::LinearOpWithSolveFactoryBase<double>;
+
+/// Belos' conjugate gradients where the operator is symmetric (or the deck asks for them), its GMRES otherwise.
+Teuchos::RCP<LinearSolverFactory> belos_factory(const deck::Linear& linear, bool symmetric);
+
+struct LinearOutcome {
+  bool converged = false;
+  int iterations = 0;
+  std::string reason;  ///< a sentence, where not converged
+};
+
+/// Solves A left = right to `tolerance` relative to |right|; preconditioner may be null. Collective.
+LinearOutcome solve_linear(const LinearSolverFactory& factory, const Teuchos::RCP<const Thyra::LinearOpBase<double>>& a,
+                           const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& preconditioner,
+                           double tolerance, const Teuchos::RCP<tpetra::Vector>& right,
+                           const Teuchos::RCP<tpetra::Vector>& left);
+
+}  // namespace perinox::solve

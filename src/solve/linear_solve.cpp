@@ -1,0 +1,69 @@
+#include "perinox/solve/linear_solve.hpp"
+
+#include <fmt/format.h>
+
+#include <Stratimikos_DefaultLinearSolverBuilder.hpp>
+#include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
+#include <Thyra_TpetraThyraWrappers.hpp>
+#include <algorithm>
+
+namespace perinox::solve {
+
+Teuchos::RCP<LinearSolverFactory> belos_factory(const deck::Linear& linear, bool symmetric) {
+  const bool cg =
+      linear.method == deck::LinearMethod::cg || (linear.method == deck::LinearMethod::automatic && symmetric);
+  const std::string solver = cg ? "Pseudo Block CG" : "Pseudo Block GMRES";
+  auto parameters = Teuchos::parameterList();
+  parameters->set("Linear Solver Type", "Belos");
+  parameters->set("Preconditioner Type", "None");
+  auto& belos = parameters->sublist("Linear Solver Types").sublist("Belos");
+  belos.set("Solver Type", solver);
+  auto& settings = belos.sublist("Solver Types").sublist(solver);
+  settings.set("Maximum Iterations", linear.max_iterations);
+  settings.set("Convergence Tolerance", linear.tolerance);
+  settings.set("Verbosity", 0);
+  settings.set("Output Frequency", -1);
+  if (!cg) settings.set("Num Blocks", std::min(linear.max_iterations, 200));
+  belos.sublist("VerboseObject").set("Verbosity Level", "none");
+  Stratimikos::DefaultLinearSolverBuilder builder;
+  builder.setParameterList(parameters);
+  auto factory = builder.createLinearSolveStrategy("");
+  factory->setVerbLevel(Teuchos::VERB_NONE);
+  return factory;
+}
+
+LinearOutcome solve_linear(const LinearSolverFactory& factory, const Teuchos::RCP<const Thyra::LinearOpBase<double>>& a,
+                           const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& preconditioner,
+                           double tolerance, const Teuchos::RCP<tpetra::Vector>& right,
+                           const Teuchos::RCP<tpetra::Vector>& left) {
+  LinearOutcome outcome;
+  left->putScalar(0.0);
+  if (right->norm2() == 0) {
+    outcome.converged = true;
+    return outcome;
+  }
+  const auto solver = factory.createOp();
+  if (preconditioner.is_null())
+    Thyra::initializeOp<double>(factory, a, solver.ptr());
+  else
+    Thyra::initializePreconditionedOp<double>(factory, a, preconditioner, solver.ptr());
+  Thyra::SolveCriteria<double> criteria;
+  criteria.requestedTol = tolerance;
+  criteria.solveMeasureType.set(Thyra::SOLVE_MEASURE_NORM_RESIDUAL, Thyra::SOLVE_MEASURE_NORM_RHS);
+  criteria.extraParameters = Teuchos::parameterList();
+  const auto b = Thyra::createVector<double, LocalIndex, GlobalId>(right, a->range());
+  const auto x = Thyra::createVector<double, LocalIndex, GlobalId>(left, a->domain());
+  try {
+    const auto status = Thyra::solve<double>(*solver, Thyra::NOTRANS, *b, x.ptr(), Teuchos::ptr(&criteria));
+    outcome.converged = status.solveStatus != Thyra::SOLVE_STATUS_UNCONVERGED;
+    if (!status.extraParameters.is_null()) outcome.iterations = status.extraParameters->get("Iteration Count", 0);
+    if (!outcome.converged)
+      outcome.reason =
+          fmt::format("the linear solver did not reach {:g} in {} iterations", tolerance, outcome.iterations);
+  } catch (const std::exception& failure) {  // Belos throws where conjugate gradients meet negative curvature
+    outcome.reason = std::string("the linear solver gave up: ") + failure.what();
+  }
+  return outcome;
+}
+
+}  // namespace perinox::solve
