@@ -142,6 +142,35 @@ history: [{name: yielded, yielded: all}]
   EXPECT_GT(run.energies.dissipated, 0);
 }
 
+TEST(LoadStepper, AStepWithoutAnyLoadConvergesAtOnce) {
+  const RunResult run = run_deck(deck_of(pulled_cube(5, 0.0, 2)));
+  ASSERT_EQ(run.stopped, "");
+  ASSERT_EQ(run.records.steps.size(), 2u);
+  for (const solve::StepRecord& step : run.records.steps) EXPECT_EQ(step.newton_iterations, 0);
+  for (const auto& [id, u] : run.displacement)
+    for (const double value : u) EXPECT_EQ(value, 0);
+}
+
+TEST(LoadStepper, ACollapsedBondIsNamed) {
+  // Two points are moved into one place at t = 1: the bond has no direction any more.
+  const deck::Deck deck = deck_of(R"(
+dimension: 3
+body: [{name: pair, shape: {box: {min: [0, 0, 0], max: [2, 1, 1]}}, spacing: 1, material: steel}]
+horizon: {length: 1.5}
+materials: {steel: {model: elastic, young_modulus: 1, poisson_ratio: 0.25}}
+sets: {left: {ids: [0]}, right: {ids: [1]}}
+boundary:
+  - {set: left, displacement: {x: 0, y: 0, z: 0}}
+  - {set: right, displacement: {x: "-t", y: 0, z: 0}}
+steps: {end: 1, count: 2, adaptive: false}
+)");
+  const RunResult run = run_deck(deck);
+  EXPECT_THAT(run.stopped, HasSubstr("after 1 converged steps"));
+  EXPECT_THAT(run.stopped, HasSubstr("the force on particle 0 at (0.5, 0.5, 0.5) is not finite: its bond to particle 1 "
+                                     "has collapsed to length zero"));
+  EXPECT_EQ(run.displacement.at(1)[0], -0.5) << "the last converged step is not the committed one";
+}
+
 TEST(LoadStepper, NothingHeldIsRefused) {
   const deck::Deck deck = deck_of(pulled_cube(4, 0.01, 1), {"boundary=[{set: head, force: {z: 1}}]"});
   try {
