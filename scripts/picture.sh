@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A picture of a run: the curve of history.csv and the plastic zone in the deformed body at the last step written.
-#   scripts/picture.sh RESULTS_DIR [OUT.png]        writes OUT.png (default RESULTS_DIR/picture.png) and the same as .svg
+#   scripts/picture.sh RESULTS_DIR [OUT]        OUT ends in .png (default RESULTS_DIR/picture.png) or .svg; an .svg of a large
+#                                               body is large too: 4 kB a particle
 # The curve: the first history column across and the second one up (t across if there is one only). The body: coloured by
 # equivalent_plastic_strain, else plastic_multiplier, else the length of the displacement; 3-D seen obliquely from above,
 # 2-D as a map; displacements are enlarged so that the largest is 4 % of the body.
@@ -10,9 +11,9 @@ stop() {
   printf 'picture.sh: %s\n' "$*" >&2
   exit 1
 }
-[ $# -ge 1 ] || stop "usage: scripts/picture.sh RESULTS_DIR [OUT.png]"
+[ $# -ge 1 ] || stop "usage: scripts/picture.sh RESULTS_DIR [OUT.png | OUT.svg]"
 results=$1
-png=${2:-$results/picture.png}
+picture=${2:-$results/picture.png}
 h5=$results/results.h5
 [ -f "$h5" ] || stop "$h5 is not there: is $results the directory of a run?"
 for program in gnuplot h5dump h5ls; do
@@ -146,10 +147,14 @@ unset multiplot
 END
 }
 
-if gnuplot -e 'set terminal pngcairo' 2>/dev/null; then
-  draw 'pngcairo size 1500,640 font "DejaVu Sans,13" linewidth 1.3 background "white"' "$png"
-else
-  draw 'png size 1500,640 font "DejaVuSans,13" linewidth 1.3' "$png"
-fi
-draw 'svg size 1500,640 font "DejaVu Sans,13" background "white"' "${png%.png}.svg"
-echo "$png and ${png%.png}.svg: $count particles, step $step"
+case $picture in
+  *.svg) draw 'svg size 1500,640 font "DejaVu Sans,13" background "white"' "$picture" ;;
+  *)
+    if gnuplot -e 'set terminal pngcairo' 2>/dev/null; then
+      draw 'pngcairo size 1500,640 font "DejaVu Sans,13" linewidth 1.3 background "white"' "$picture"
+    else
+      draw 'png size 1500,640 font "DejaVuSans,13" linewidth 1.3' "$picture"
+    fi
+    ;;
+esac
+echo "$picture: $count particles, step $step"

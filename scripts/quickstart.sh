@@ -25,7 +25,7 @@ fi
 as_root_too=$([ "$(id -u)" -ne 0 ] || echo " --allow-run-as-root")
 say "done"
 cat <<END
-  picture             $picture (and picture.svg)
+  picture             $picture
   load-displacement   $results/history.csv
   all fields          $results/results.xdmf (open it in ParaView), data in results.h5
   Newton's progress   $results/convergence.csv

@@ -117,4 +117,9 @@ void RunWriter::step_committed(const solve::StepRecord& record) {
   if (files.terminal) files.terminal->step_committed(record);
 }
 
+void RunWriter::run_stopped(const solve::StepRecord* last) {
+  Files& files = *files_;
+  if (last && last->step % files.every != 0) files.results->write(*last, files.chosen(last->fields));
+}
+
 }  // namespace perinox::output

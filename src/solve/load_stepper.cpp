@@ -79,24 +79,29 @@ void LoadStepper::run(Observer& observer) {
     const NewtonResult result = newton_.solve(committed_, t, step_ + 1, first_guess(t), observer, trial, force);
     if (!result.converged) {
       observer.step_rejected(committed_.t(), t, result.reason);
-      if (!clock.cut())
-        throw RunError(fmt::format(
-            "stopped at t = {:.10g} of {:g}, after {} converged steps: the step to t = {:.10g} does "
-            "not converge{}; {}",
-            committed_.t(), deck_.steps.end, step_, t,
-            deck_.steps.adaptive ? " at its smallest size" : " and steps.adaptive is false", result.reason));
+      if (!clock.cut()) stop(observer, t, result);
       continue;
     }
     if (converged_) converged_(committed_, trial);
     ++step_;
     clock.accept(t);
     commit(std::move(trial), std::move(force));
+    last_result_ = result;
     StepRecord row = record(result);
     row.seconds = now() - step_begin;
     row.remaining_seconds = (now() - begin) * (deck_.steps.end - t) / t;
     row.last = clock.finished();
     observer.step_committed(row);
   }
+}
+
+void LoadStepper::stop(Observer& observer, double t, const NewtonResult& result) const {
+  const StepRecord last = record(last_result_);
+  observer.run_stopped(step_ > 0 ? &last : nullptr);
+  throw RunError(fmt::format(
+      "stopped at t = {:.10g} of {:g}, after {} converged steps: the step to t = {:.10g} does not converge{}; {}",
+      committed_.t(), deck_.steps.end, step_, t,
+      deck_.steps.adaptive ? " at its smallest size" : " and steps.adaptive is false", result.reason));
 }
 
 std::vector<double> LoadStepper::first_guess(double t) const {

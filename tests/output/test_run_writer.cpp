@@ -84,6 +84,25 @@ TEST_F(RunWriterTest, WritesWhatWasAskedAndSaysWhatIsMissing) {
   EXPECT_TRUE(fs::exists(place + "/deck.resolved.yaml"));
 }
 
+TEST_F(RunWriterTest, ARunThatStopsShortLeavesItsLastConvergedStep) {
+  const std::string place = directory_ / "stopped";
+  ::testing::internal::CaptureStderr();
+  {
+    RunWriter writer(deck_, body_, place, true);
+    for (int step = 1; step <= 3; ++step) writer.step_committed(record(step, false));
+    const solve::StepRecord last = record(3, false);
+    writer.run_stopped(&last);
+  }
+  {
+    RunWriter writer(deck_, body_, directory_ / "at_once", true);
+    writer.run_stopped(nullptr);
+  }
+  ::testing::internal::GetCapturedStderr();
+  const ParallelFile file(place + "/results.h5", one_rank_, ParallelFile::Mode::read);
+  EXPECT_TRUE(file.has("/steps/2/displacement"));  // every: 2
+  EXPECT_TRUE(file.has("/steps/3/displacement"));  // and where it stopped
+}
+
 TEST_F(RunWriterTest, MovesEarlierResultsAside) {
   const auto run = [&](int steps) {
     RunWriter writer(deck_, body_, directory_.path(), false);

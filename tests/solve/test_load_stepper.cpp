@@ -20,6 +20,7 @@ TEST(LoadStepper, EveryWholeStepEndsExactlyWhereTheDeckSays) {
     EXPECT_EQ(run.records.steps[k].t, 1.0 * (k + 1) / 3);
   }
   EXPECT_TRUE(run.records.steps.back().last);
+  EXPECT_EQ(run.records.stopped_after, -1);
 }
 
 TEST(LoadStepper, ReactionsBalanceAndPullOutwards) {
@@ -166,6 +167,7 @@ steps: {end: 1, count: 2, adaptive: false}
 )");
   const RunResult run = run_deck(deck);
   EXPECT_THAT(run.stopped, HasSubstr("after 1 converged steps"));
+  EXPECT_EQ(run.records.stopped_after, 1) << "the observer was not given the last converged step to keep";
   EXPECT_THAT(run.stopped, HasSubstr("the force on particle 0 at (0.5, 0.5, 0.5) is not finite: its bond to particle 1 "
                                      "has collapsed to length zero"));
   EXPECT_EQ(run.displacement.at(1)[0], -0.5) << "the last converged step is not the committed one";

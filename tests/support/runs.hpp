@@ -33,6 +33,7 @@ class Recorder : public solve::Observer {
     steps.push_back(record);
     steps.back().fields.clear();  // they point into the stepper
   }
+  void run_stopped(const solve::StepRecord* last) override { stopped_after = last ? last->step : 0; }
   /// Residuals of the last attempt at one step, iteration 0 first.
   std::vector<double> residuals(int step) const {
     std::vector<double> found;
@@ -48,6 +49,7 @@ class Recorder : public solve::Observer {
   std::vector<solve::StepRecord> steps;
   std::vector<std::pair<double, double>> rejected;
   std::vector<std::string> reasons;
+  int stopped_after = -1;  ///< the last converged step told on stopping; -1: the run did not stop short
 };
 
 /// A finished run: records, and the final displacement and force by particle id (owned particles of this rank).

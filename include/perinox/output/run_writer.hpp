@@ -23,6 +23,8 @@ class RunWriter : public solve::Observer {
   /// history.csv: every step; results.h5: every deck.output.every-th step and the last, with displacement, force and
   /// the fields of deck.output.fields that the scene carries. Collective. Throws RunError if the disk refuses.
   void step_committed(const solve::StepRecord& record) override;
+  /// Writes the last converged step to results.h5 if `every` has left it out.
+  void run_stopped(const solve::StepRecord* last) override;
 
  private:
   struct Files;

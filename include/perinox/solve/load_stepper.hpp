@@ -46,6 +46,8 @@ class LoadStepper {
   std::vector<double> first_guess(double t) const;
   void commit(mechanics::Trial&& trial, std::vector<double>&& force);
   StepRecord record(const NewtonResult& result) const;
+  /// Tells the observer and throws RunError with the reason.
+  [[noreturn]] void stop(Observer& observer, double t, const NewtonResult& result) const;
   std::vector<double> history() const;
   double entry_value(const deck::HistoryEntry& entry) const;
   std::vector<Field> fields() const;
@@ -67,6 +69,7 @@ class LoadStepper {
   std::vector<std::vector<std::size_t>> history_place_;  ///< [material][point variable] index into history_names_
   std::vector<std::vector<double>> history_values_;      ///< point history spread over all owned particles
   int step_ = 0;
+  NewtonResult last_result_;  ///< of the committed step
 };
 
 }  // namespace perinox::solve

@@ -51,6 +51,8 @@ class Observer {
   /// A step from `t_from` to `t_to` did not converge and will be tried again, shorter; `reason` is a sentence.
   virtual void step_rejected(double /*t_from*/, double /*t_to*/, const std::string& /*reason*/) {}
   virtual void step_committed(const StepRecord&) {}
+  /// The run cannot go on; `last` is the last committed step once more, if there has been one.
+  virtual void run_stopped(const StepRecord* /*last*/) {}
 };
 
 }  // namespace perinox::solve
