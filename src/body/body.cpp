@@ -58,7 +58,7 @@ std::vector<Particle> make_particles(const deck::Deck& deck, const Communicator&
 
 /// Two particles in one place have no bond direction. The nearest other one suffices to find them, even where a whole
 /// cloud is one point.
-void refuse_coincident(const Share& share, int dimension, const Communicator& communicator) {
+void refuse_coincident(const deck::Deck& deck, const Share& share, int dimension, const Communicator& communicator) {
   constexpr double kCoincident = 1e-8;  // of the spacing
   const std::vector<double> points = share.points(dimension);
   const NeighborSearch search(points, dimension);
@@ -72,11 +72,13 @@ void refuse_coincident(const Share& share, int dimension, const Communicator& co
     const auto near = static_cast<std::size_t>(j);
     const Particle& other = near < share.owned.size() ? share.owned[near] : share.ghosts[near - share.owned.size()];
     first = particle.id;
-    sentence = fmt::format(
-        "particles {} and {} are in the same place ({:g}, {:g}, {:g}); take one of them out, or move "
-        "the bodies apart so that they do not overlap",
-        std::min(particle.id, other.id), std::max(particle.id, other.id), particle.position[0], particle.position[1],
-        particle.position[2]);
+    const Particle& later = particle.id > other.id ? particle : other;
+    sentence = deck::placed(
+        deck.body[static_cast<std::size_t>(later.part)].location,
+        fmt::format("particles {} and {} are in the same place ({:g}, {:g}, {:g}); take one of them out, or move "
+                    "the bodies apart so that they do not overlap",
+                    std::min(particle.id, other.id), std::max(particle.id, other.id), particle.position[0],
+                    particle.position[1], particle.position[2]));
   }
   refuse_first(communicator, first, sentence);
 }
@@ -95,12 +97,13 @@ std::vector<double> count_neighbors(const Share& share, double reach, int dimens
 }
 
 /// Unweighted first, because neighbours can only be counted where they are at hand; then weighted by the counts.
-Share distribute(std::vector<Particle> particles, double reach, int dimension, const Communicator& communicator) {
+Share distribute(const deck::Deck& deck, std::vector<Particle> particles, double reach, int dimension,
+                 const Communicator& communicator) {
   Share share;
   share.owned = migrate(particles, partition(particles, {}, dimension, communicator), communicator);
   particles = {};
   share.ghosts = find_ghosts(share.owned, reach, dimension, communicator);
-  refuse_coincident(share, dimension, communicator);
+  refuse_coincident(deck, share, dimension, communicator);
   if (communicator.size() == 1) return share;
 
   const std::vector<double> counts = count_neighbors(share, reach, dimension);
@@ -166,7 +169,7 @@ Body build(const deck::Deck& deck, const Communicator& communicator, double reac
   body.reach = reach;
   const std::vector<int> materials = material_indices(deck);
 
-  const Share share = distribute(make_particles(deck, communicator), reach, body.dimension, communicator);
+  const Share share = distribute(deck, make_particles(deck, communicator), reach, body.dimension, communicator);
   body.owned = static_cast<int>(share.owned.size());
   body.ghosts = static_cast<int>(share.ghosts.size());
   body.total = communicator.sum(static_cast<long long>(body.owned));

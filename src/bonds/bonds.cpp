@@ -105,10 +105,12 @@ void find_families(const deck::Deck& deck, const body::Body& body, const Rule& r
 /// The first particle without a family cannot carry any force: the system would be singular.
 void refuse_lonely(const deck::Deck& deck, const body::Body& body, const Bonds& bonds) {
   std::string sentence;
+  deck::Location where;
   GlobalId id = 0;
   for (LocalIndex i = 0; i < body.owned && sentence.empty(); ++i) {
     if (bonds.family_size(i) > 0) continue;
     id = body.id[i];
+    where = deck.body[static_cast<std::size_t>(body.part[i])].location;
     const deck::Point x = body.position3(i);
     const std::string who = fmt::format("particle {} at ({:g}, {:g}, {:g})", id, x[0], x[1], x[2]);
     if (body.total == 1) {
@@ -122,7 +124,7 @@ void refuse_lonely(const deck::Deck& deck, const body::Body& body, const Bonds& 
           who, deck.bond_bodies ? "" : "of its own body ", bonds.horizon);
     }
   }
-  body::refuse_first(body.communicator, id, sentence);
+  body::refuse_first(body.communicator, id, sentence.empty() ? sentence : deck::placed(where, sentence));
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 /// The deck's top level: every part in the order in which the reference page shows it.
+#include <algorithm>
+
 #include "declare.hpp"
 #include "words.hpp"
 
@@ -44,9 +46,13 @@ Key declare_steps() {
   return key;
 }
 
-Key declare_output() {
+Key declare_output(const std::vector<ModelDeclaration>& models) {
+  std::vector<std::string> names = words::field;
+  for (const ModelDeclaration& model : models)
+    for (const std::string& field : model.fields)
+      if (std::find(names.begin(), names.end(), field) == names.end()) names.push_back(field);
   Key fields =
-      list_key("fields", "The fields written at each output step.", word_key("", words::field, "", "Name of a field."));
+      list_key("fields", "The fields written at each output step.", word_key("", names, "", "Name of a field."));
   fields.unique = true;
   fields.fallback = "[displacement, force]";
   Key key = map_key(
@@ -83,11 +89,12 @@ Key declare_deck(const std::vector<ModelDeclaration>& models) {
   dimension.example = "dimension: 3";
   Key influence =
       word_key("influence", words::influence, "constant",
-               "Weight of a bond by its length: 1, horizon/length, or a polynomial that ends at 0 at the horizon.");
+               "Weight of a bond by its length: 1, 1/length, or a polynomial that ends at 0 at the horizon.");
   influence.example = "influence: inverse";
   Key quadrature = word_key("quadrature", words::quadrature, "whole",
                             "How much of a neighbour's volume counts near the horizon: all of it, the part inside the "
-                            "horizon, or a taper that ends at the horizon.");
+                            "horizon (linear taper, neighbours just outside included), or that taper without the "
+                            "neighbours outside, as LAMMPS has it.");
   quadrature.example = "quadrature: partial-volume";
   Key bond_bodies = boolean_key("bond_bodies", true, "Particles of different bodies form bonds.");
   bond_bodies.example = "bond_bodies: false";
@@ -95,7 +102,7 @@ Key declare_deck(const std::vector<ModelDeclaration>& models) {
   Key root = map_key("", "The deck.",
                      {title, dimension, declare_body(), bond_bodies, declare_horizon(), influence, quadrature,
                       declare_cracks(), declare_materials(models), declare_sets(), declare_boundary(), declare_steps(),
-                      declare_solver(), declare_output(), declare_history()});
+                      declare_solver(), declare_output(models), declare_history()});
   root.place = "a deck";
   root.required = true;
   return root;

@@ -11,9 +11,11 @@ std::string Location::text() const {
   return fmt::format("{}:{}:{}", file, line, column);
 }
 
-void refuse(const Location& where, const std::string& sentence) {
+std::string placed(const Location& where, const std::string& sentence) {
   const std::string place = where.text();
-  throw InputError(place.empty() ? sentence : place + ": " + sentence);
+  return place.empty() ? sentence : place + ": " + sentence;
 }
+
+void refuse(const Location& where, const std::string& sentence) { throw InputError(placed(where, sentence)); }
 
 }  // namespace perinox::deck

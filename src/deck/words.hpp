@@ -19,9 +19,9 @@ inline const std::vector<std::string> preconditioner{
     "automatic", "none", "block-jacobi", "jacobi", "symmetric-gauss-seidel", "chebyshev", "ilu"};
 inline const std::vector<std::string> component{"x", "y", "z"};
 inline const std::vector<std::string> history_kind{"reaction", "displacement", "yielded"};
-inline const std::vector<std::string> field{
-    "displacement", "force",         "dilatation",     "plastic_multiplier", "equivalent_plastic_strain",
-    "damage",       "stored_energy", "weighted_volume"};
+/// Fields that every scene carries; the material models add their own.
+inline const std::vector<std::string> field{"displacement", "force",         "dilatation",
+                                            "damage",       "stored_energy", "weighted_volume"};
 
 /// The enumeration's value for a word that the schema has already accepted.
 template <class Enumeration>

@@ -10,7 +10,7 @@ namespace {
 // f = 0 is a kink: a point that sits on the yield surface up to rounding counts as elastic, so that Newton does not
 // flip between the two tangents (formulation 3).
 constexpr double kink = 1e-12;
-// Point history.
+const std::vector<std::string> point_history{"plastic_multiplier", "equivalent_plastic_strain"};
 constexpr int multiplier = 0;
 constexpr int equivalent_strain = 1;
 const double root3 = std::sqrt(3.0);
@@ -18,7 +18,7 @@ const double root3 = std::sqrt(3.0);
 
 ElasticPlastic::ElasticPlastic(const Parameters& parameters) : parameters_(parameters) {}
 
-HistoryLayout ElasticPlastic::history() const { return {{"plastic_multiplier", "equivalent_plastic_strain"}, 1}; }
+HistoryLayout ElasticPlastic::history() const { return {point_history, 1}; }
 
 ElasticPlastic::Return ElasticPlastic::radial_return(const Family& family, const double* extension,
                                                      CommittedHistory committed) const {
@@ -164,6 +164,7 @@ deck::ModelDeclaration declaration() {
       "discrete: the yield value uses each point's own weighted volume; continuum: that of a full continuous "
       "neighbourhood, Eq. 51, as other codes have it.";
   model.keys.push_back(scaling);
+  model.fields = point_history;
   return model;
 }
 

@@ -32,6 +32,18 @@ Teuchos::RCP<LinearSolverFactory> belos_factory(const deck::Linear& linear, bool
   return factory;
 }
 
+std::string sentence_of(const std::exception& failure) {
+  std::string text = failure.what();
+  if (text.find("p^H*A*p") != std::string::npos)
+    return "conjugate gradients met negative curvature: the tangent is not positive definite here, the body may be "
+           "losing "
+           "its stability (smaller steps, or solver.linear.method: gmres, go further)";
+  // "file:line:\n\nThrow number = 1\n\nThrow test that evaluated to true: ...\n\nthe message"
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const std::size_t last = text.find_last_of('\n');
+  return "Trilinos stopped: " + (last == std::string::npos ? text : text.substr(last + 1));
+}
+
 LinearOutcome solve_linear(const LinearSolverFactory& factory, const Teuchos::RCP<const Thyra::LinearOpBase<double>>& a,
                            const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& preconditioner,
                            double tolerance, const Teuchos::RCP<tpetra::Vector>& right,
@@ -61,7 +73,7 @@ LinearOutcome solve_linear(const LinearSolverFactory& factory, const Teuchos::RC
       outcome.reason =
           fmt::format("the linear solver did not reach {:g} in {} iterations", tolerance, outcome.iterations);
   } catch (const std::exception& failure) {  // Belos throws where conjugate gradients meet negative curvature
-    outcome.reason = std::string("the linear solver gave up: ") + failure.what();
+    outcome.reason = sentence_of(failure);
   }
   return outcome;
 }

@@ -146,9 +146,9 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
     result.newton_iterations = solver->getNumIterations();
     result.linear_iterations += solver->getSolverStatistics()->linearSolve.allNonlinearSolves_NumLinearIterations;
   } catch (const std::exception& failure) {
-    trouble = failure.what();
+    trouble = sentence_of(failure);
   } catch (const char* failure) {  // NOX throws bare strings
-    trouble = failure;
+    trouble = std::string("NOX stopped: ") + failure;
   }
   if (status == NOX::StatusTest::Converged) {
     result.converged = true;
@@ -157,7 +157,7 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
     return result;
   }
   if (!trouble.empty())
-    result.reason = "the nonlinear solver gave up: " + trouble;
+    result.reason = trouble;
   else if (!test->finite())
     result.reason = p.model->not_finite();
   else if (test->last().iteration >= p.deck.solver.newton.max_iterations)

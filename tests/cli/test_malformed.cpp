@@ -108,7 +108,7 @@ const Mistake mistakes_in_decks[] = {
      "deck.yaml:10:13: quadrature cannot be 'gauss'; it can be whole, partial-volume or taper-inside"},
     {"unknown_field", &base_deck, "[displacement, force]", "[displacement, stress]",
      "deck.yaml:28:43: an entry of fields cannot be 'stress'; it can be displacement, force, dilatation, "
-     "plastic_multiplier, equivalent_plastic_strain, damage, stored_energy or weighted_volume"},
+     "damage, stored_energy, weighted_volume, plastic_multiplier or equivalent_plastic_strain"},
     {"unknown_material", &base_deck, "material: steel", "material: stele",
      "deck.yaml:7:15: stele is not the name of a material; did you mean steel?"},
     {"unknown_set", &base_deck, "{set: head, displacement", "{set: haed, displacement",
@@ -144,20 +144,24 @@ const Mistake mistakes_in_decks[] = {
      "the spacing larger, or check that spacing and shape are in the same unit"},
     {"bodies_that_overlap", &base_deck, "horizon:",
      "  - {name: twin, shape: {box: {min: [0, 0, 3], max: [3, 3, 5]}}, spacing: 1, material: steel}\nhorizon:",
-     "particles 27 and 36 are in the same place (0.5, 0.5, 3.5); take one of them out, or move the bodies apart so "
+     "deck.yaml:8:5: particles 27 and 36 are in the same place (0.5, 0.5, 3.5); take one of them out, or move the "
+     "bodies apart so "
      "that they do not overlap"},
     {"empty_family", &base_deck, "{ratio: 2.015}", "{length: 0.5}",
-     "particle 0 at (0.5, 0.5, 0.5) has no neighbour within the horizon 0.5; make the horizon larger, or take the "
+     "deck.yaml:4:5: particle 0 at (0.5, 0.5, 0.5) has no neighbour within the horizon 0.5; make the horizon larger, "
+     "or take the "
      "particle out"},
     {"body_apart_from_the_rest", &base_deck, "horizon:",
      "  - {name: crumb, shape: {box: {min: [9, 9, 9], max: [10, 10, 10]}}, spacing: 1, material: steel}\nhorizon:",
-     "particle 36 at (9.5, 9.5, 9.5) has no neighbour within the horizon 2.015; make the horizon larger, or take "
+     "deck.yaml:8:5: particle 36 at (9.5, 9.5, 9.5) has no neighbour within the horizon 2.015; make the horizon "
+     "larger, or take "
      "the particle out"},
     {"crack_that_cuts_a_whole_family", &base_deck, "materials:\n",
      "cracks:\n  - rectangle: {corner: [-1, -1, 1], edge1: [9, 0, 0], edge2: [0, 9, 0]}\n  - rectangle: {corner: [-1, "
      "1, -1], edge1: [9, 0, 0], edge2: [0, 0, 9]}\n  - rectangle: {corner: [1, -1, -1], edge1: [0, 9, 0], edge2: [0, "
      "0, 9]}\nmaterials:\n",
-     "particle 0 at (0.5, 0.5, 0.5) has lost all its bonds to pre-cracks; move the cracks, or make the horizon "
+     "deck.yaml:4:5: particle 0 at (0.5, 0.5, 0.5) has lost all its bonds to pre-cracks; move the cracks, or make the "
+     "horizon "
      "larger"},
     {"one_elastic_constant", &base_deck, "    shear_modulus: 80e3\n", "",
      "deck.yaml:13:5: material steel needs two elastic constants and has 1: give any two of bulk_modulus, "
@@ -241,13 +245,16 @@ const FileMistake mistakes_in_files[] = {
     {"cloud_of_zero_volume", "cloud.csv", "0,1,0,1", "0,1,0,0",
      "{dir}/cloud.csv:4:7: the volume of a particle must be greater than 0, but is 0"},
     {"cloud_with_coincident_points", "cloud.csv", "0,1,0,1", "1,0,0,1",
-     "particles 1 and 2 are in the same place (1, 0, 0); take one of them out, or move the bodies apart so that "
+     "deck.yaml:2:8: particles 1 and 2 are in the same place (1, 0, 0); take one of them out, or move the bodies apart "
+     "so that "
      "they do not overlap"},
     {"cloud_with_a_lonely_point", "cloud.csv", "0,1,0,1", "0,50,0,1",
-     "particle 2 at (0, 50, 0) has no neighbour within the horizon 1.5; make the horizon larger, or take the "
+     "deck.yaml:2:8: particle 2 at (0, 50, 0) has no neighbour within the horizon 1.5; make the horizon larger, or "
+     "take the "
      "particle out"},
     {"cloud_of_one_point", "cloud.csv", "", "x,y,z,volume\n0,0,0,1\n",
-     "particle 0 at (0, 0, 0) is the only one, so there is no bond; make the spacing smaller or add particles"},
+     "deck.yaml:2:8: particle 0 at (0, 0, 0) is the only one, so there is no bond; make the spacing smaller or add "
+     "particles"},
     {"table_empty", "field.csv", "", "",
      "{dir}/field.csv: the file is empty; a displacement table begins with the header x,y,z,ux,uy,uz"},
     {"table_without_uz", "field.csv", "", "t,x,y,z,ux,uy\n1,0,0,0,0,0\n",

@@ -56,7 +56,10 @@ inline std::vector<ModelDeclaration> models() {
   plastic.push_back(stress_choice("hardening_modulus", "Slope of the hardening curve."));
   plastic.push_back(scaling);
   return {{"elastic", "Linear peridynamic solid.", elastic},
-          {"elastic-plastic", "Linear peridynamic solid with plastic flow.", plastic}};
+          {"elastic-plastic",
+           "Linear peridynamic solid with plastic flow.",
+           plastic,
+           {"plastic_multiplier", "equivalent_plastic_strain"}}};
 }
 
 inline const Schema& schema() {

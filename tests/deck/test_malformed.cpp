@@ -161,8 +161,8 @@ const Mistake mistakes[] = {
     {"unknown_model", base, "model: elastic-plastic", "model: elastic-plastik", "13:12",
      "model cannot be 'elastic-plastik'; did you mean elastic-plastic?"},
     {"unknown_field", base, "[displacement, force]", "[displacement, stress]", "28:43",
-     "an entry of fields cannot be 'stress'; it can be displacement, force, dilatation, plastic_multiplier, "
-     "equivalent_plastic_strain, damage, stored_energy or weighted_volume"},
+     "an entry of fields cannot be 'stress'; it can be displacement, force, dilatation, damage, stored_energy, "
+     "weighted_volume, plastic_multiplier or equivalent_plastic_strain"},
     {"field_twice", base, "[displacement, force]", "[force, force]", "28:36",
      "force is named twice in fields; remove one"},
     {"unknown_influence", base, "influence: constant", "influence: Constant", "9:12",

@@ -13,7 +13,10 @@ struct Location {
   std::string text() const;
 };
 
-/// Throws InputError with `<where>: <sentence>`.
+/// `<where>: <sentence>`; the sentence alone where the place is unknown.
+std::string placed(const Location& where, const std::string& sentence);
+
+/// Throws InputError with placed(where, sentence).
 [[noreturn]] void refuse(const Location& where, const std::string& sentence);
 
 }  // namespace perinox::deck

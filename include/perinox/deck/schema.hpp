@@ -54,6 +54,7 @@ struct ModelDeclaration {
   std::string name;
   std::string sentence;
   std::vector<Key> keys;
+  std::vector<std::string> fields{};  ///< point history variables, which output.fields may then name
 };
 
 class Schema {

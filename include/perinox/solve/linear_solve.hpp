@@ -2,6 +2,7 @@
 /// Belos through Thyra. A heavy header: only newton.cpp includes it.
 #include <Thyra_LinearOpWithSolveFactoryBase.hpp>
 #include <Thyra_PreconditionerBase.hpp>
+#include <exception>
 #include <string>
 
 #include "perinox/core/tpetra.hpp"
@@ -19,6 +20,9 @@ struct LinearOutcome {
   int iterations = 0;
   std::string reason;  ///< a sentence, where not converged
 };
+
+/// One sentence for what Trilinos threw: its own text runs over several lines and names its source files.
+std::string sentence_of(const std::exception& failure);
 
 /// Solves A left = right to `tolerance` relative to |right|; preconditioner may be null. Collective.
 LinearOutcome solve_linear(const LinearSolverFactory& factory, const Teuchos::RCP<const Thyra::LinearOpBase<double>>& a,
