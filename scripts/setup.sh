@@ -61,7 +61,7 @@ install_packages() {
 # One compiler on a Trilinos header needs up to 3 GB.
 parallel_jobs() {
   local cores memory
-  cores=$(nproc)
+  cores=$(env -u OMP_NUM_THREADS nproc) # which OMP_NUM_THREADS would lower
   memory=$(awk '/^MemAvailable/ {print int($2 / 3e6)}' /proc/meminfo)
   [ "$memory" -lt 1 ] && memory=1
   echo $((cores < memory ? cores : memory))
