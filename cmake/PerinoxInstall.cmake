@@ -13,7 +13,7 @@ set(CPACK_PACKAGE_VENDOR "The perinox developers")
 set(CPACK_PACKAGE_CONTACT "The perinox developers <perinox@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGE_DESCRIPTION
-    "perinox computes how solids deform, yield and break under slowly growing loads with ordinary state-based\nperidynamics. It solves for equilibrium with Newton-Krylov methods from Trilinos, on MPI.")
+    "perinox computes how solids deform and yield under slowly growing loads with ordinary state-based\nperidynamics. It solves for equilibrium with Newton-Krylov methods from Trilinos, on MPI.")
 set(CPACK_RESOURCE_FILE_LICENSE "${CMAKE_CURRENT_SOURCE_DIR}/LICENSE")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

@@ -3,6 +3,7 @@
 #include <Ifpack2_Factory.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <cmath>
+#include <stdexcept>
 
 #include "perinox/solve/block_jacobi.hpp"
 
@@ -99,10 +100,6 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
   deck::Preconditioner& kind = solver_.linear.preconditioner;
   if (kind == deck::Preconditioner::automatic)
     kind = assembled ? deck::Preconditioner::symmetric_gauss_seidel : deck::Preconditioner::block_jacobi;
-  if (!assembled && kind != deck::Preconditioner::none && kind != deck::Preconditioner::block_jacobi)
-    deck::refuse(solver_.location,
-                 "solver.linear.preconditioner: " + name_of(kind) +
-                     " needs the assembled matrix; set solver.tangent: assembled, or use block-jacobi");
   masked_ = Teuchos::rcp(new Masked(map_, tangent_, prescribed_));
   operator_ = masked_;
   if (assembled) {
@@ -113,6 +110,8 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
     block_jacobi_ = Teuchos::rcp(new BlockJacobi(map_, scene.dimension(), prescribed_));
     preconditioner_ = block_jacobi_;
   } else if (kind != deck::Preconditioner::none) {
+    if (!assembled_)
+      throw std::logic_error("a sparse preconditioner without the assembled matrix: the deck refuses it");
     sparse_ = std::make_unique<Sparse>();
     sparse_->preconditioner = make_sparse(kind, assembled_->matrix());
     preconditioner_ = sparse_->preconditioner;

@@ -340,7 +340,7 @@ TEST(Malformed, TheDecksAreRightBeforeTheyAreBroken) {
 }
 
 // `run` and `verify` refuse as `check` does, before a results folder is made. One row of each room: deck, materials,
-// body, bonds, solve, app.
+// body, bonds, solve.
 TEST(Malformed, RunAndVerifyRefuseAsCheckDoes) {
   int rows = 0;
   for (const Mistake& mistake : mistakes_in_decks) {

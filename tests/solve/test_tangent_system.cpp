@@ -1,5 +1,4 @@
 /// The tangent in its two forms, every preconditioner and linear method: one answer.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/runs.hpp"
@@ -39,15 +38,6 @@ TEST(TangentSystem, EverySettingGivesTheSameAnswer) {
     std::printf("%-28s difference %.1e, %d linear iterations in the last step\n", setting.name, difference,
                 run.records.steps.back().linear_iterations);
     EXPECT_LT(difference, 1e-9) << setting.name;
-  }
-}
-
-TEST(TangentSystem, APreconditionerThatNeedsTheMatrixIsRefusedWithoutIt) {
-  try {
-    run_deck(deck_of(pulled_cube(4, 0.01, 1), {"solver.linear.preconditioner=ilu"}));
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("ilu needs the assembled matrix"));
   }
 }
 
