@@ -100,7 +100,7 @@ t_short=$(awk -v t="$t" 'BEGIN {printf "%.4g", t}')
 enlarged=$([ "$scale" = 1 ] || echo ", displacements × $scale")
 
 draw() { # draw TERMINAL FILE
-  gnuplot <<END
+  LC_ALL=C.UTF-8 gnuplot <<END
 set terminal $1
 set output "$2"
 set encoding utf8
@@ -150,7 +150,7 @@ END
 case $picture in
   *.svg) draw 'svg size 1500,640 font "DejaVu Sans,13" background "white"' "$picture" ;;
   *)
-    if gnuplot -e 'set terminal pngcairo' 2>/dev/null; then
+    if LC_ALL=C.UTF-8 gnuplot -e 'set terminal pngcairo' 2>/dev/null; then
       draw 'pngcairo size 1500,640 font "DejaVu Sans,13" linewidth 1.3 background "white"' "$picture"
     else
       draw 'png size 1500,640 font "DejaVuSans,13" linewidth 1.3' "$picture"
