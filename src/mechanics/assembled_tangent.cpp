@@ -68,9 +68,9 @@ void AssembledTangent::build_pattern() {
   touching_.resize(touching_begin_.back());
   std::vector<std::size_t> next(touching_begin_.begin(), touching_begin_.end() - 1);
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
-    touching_[next[static_cast<std::size_t>(i)]++] = {i, -1};
+    touching_[next[i]++] = {i, -1};
     for (int j = 0; j < bonds.family_size(i); ++j) {
-      const auto a = static_cast<std::size_t>(bonds.neighbor[static_cast<std::size_t>(bonds.offset[i] + j)]);
+      const auto a = static_cast<std::size_t>(bonds.neighbor[bonds.offset[i] + j]);
       touching_[next[a]++] = {i, j};
     }
   }
@@ -79,15 +79,14 @@ void AssembledTangent::build_pattern() {
   row_begin_.assign(1, 0);
   for (std::size_t a = 0; a < local; ++a) {
     auto add = [&](LocalIndex k) {
-      if (seen[static_cast<std::size_t>(k)] == a) return;
-      seen[static_cast<std::size_t>(k)] = a;
+      if (seen[k] == a) return;
+      seen[k] = a;
       column_.push_back(k);
     };
     for (std::size_t s = touching_begin_[a]; s < touching_begin_[a + 1]; ++s) {
       const LocalIndex i = touching_[s].centre;
       add(i);
-      for (std::int64_t b = bonds.offset[i]; b < bonds.offset[i + 1]; ++b)
-        add(bonds.neighbor[static_cast<std::size_t>(b)]);
+      for (std::int64_t b = bonds.offset[i]; b < bonds.offset[i + 1]; ++b) add(bonds.neighbor[b]);
     }
     std::sort(column_.begin() + static_cast<std::ptrdiff_t>(row_begin_.back()), column_.end());
     row_begin_.push_back(column_.size());
@@ -109,12 +108,11 @@ void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diago
     for (int r = 0; r < tangent.rank(particle); ++r) {
       const Tangent::Term& term = tangent.term(particle, r);
       for (int j = 0; j < bonds.family_size(particle); ++j) {
-        const double w = bonds.weight[static_cast<std::size_t>(first + j)];
+        const double w = bonds.weight[first + j];
         const double* m = tangent.direction(first + j);
         for (int c = 0; c < d; ++c) {
-          centre[i][static_cast<std::size_t>((2 * r) * d + c)] -= Tangent::entry(term.p, bonds, first, j) * w * m[c];
-          centre[i][static_cast<std::size_t>((2 * r + 1) * d + c)] -=
-              Tangent::entry(term.q, bonds, first, j) * w * m[c];
+          centre[i][2 * r * d + c] -= Tangent::entry(term.p, bonds, first, j) * w * m[c];
+          centre[i][(2 * r + 1) * d + c] -= Tangent::entry(term.q, bonds, first, j) * w * m[c];
         }
       }
     }
@@ -125,8 +123,7 @@ void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diago
     const std::size_t width = (row_begin_[a + 1] - row_begin_[a]) * d;
     double* rows = values + row_begin_[a] * d * d;
     std::fill(rows, rows + width * d, 0.0);
-    for (std::size_t k = row_begin_[a]; k < row_begin_[a + 1]; ++k)
-      place[static_cast<std::size_t>(column_[k])] = (k - row_begin_[a]) * d;
+    for (std::size_t k = row_begin_[a]; k < row_begin_[a + 1]; ++k) place[column_[k]] = (k - row_begin_[a]) * d;
 
     for (std::size_t s = touching_begin_[a]; s < touching_begin_[a + 1]; ++s) {
       const auto [i, ja] = touching_[s];
@@ -139,7 +136,7 @@ void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diago
         const std::int64_t b = first + j;
         const double* m = tangent.direction(b);
         const double g = tangent.geometric(b);
-        const double w = sign * volume * bonds.weight[static_cast<std::size_t>(b)];
+        const double w = sign * volume * bonds.weight[b];
         for (int c = 0; c < d; ++c)
           for (int e = 0; e < d; ++e)
             rows[static_cast<std::size_t>(c) * width + column + e] +=
@@ -148,11 +145,11 @@ void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diago
       const std::size_t own = place[a];
       if (ja >= 0) {
         add_local(ja, own, 1);
-        add_local(ja, place[static_cast<std::size_t>(i)], -1);
+        add_local(ja, place[i], -1);
       } else {
         for (int j = 0; j < count; ++j) {
           add_local(j, own, 1);
-          add_local(j, place[static_cast<std::size_t>(bonds.neighbor[static_cast<std::size_t>(first + j)])], -1);
+          add_local(j, place[bonds.neighbor[first + j]], -1);
         }
       }
 
@@ -161,21 +158,20 @@ void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diago
         double left[d];
         for (int c = 0; c < d; ++c)
           left[c] = volume * term.coefficient *
-                    (ja >= 0 ? Tangent::entry(term.p, bonds, first, ja) *
-                                   bonds.weight[static_cast<std::size_t>(first + ja)] * tangent.direction(first + ja)[c]
-                             : centre[static_cast<std::size_t>(i)][static_cast<std::size_t>((2 * r) * d + c)]);
+                    (ja >= 0 ? Tangent::entry(term.p, bonds, first, ja) * bonds.weight[first + ja] *
+                                   tangent.direction(first + ja)[c]
+                             : centre[i][2 * r * d + c]);
         auto add_outer = [&](std::size_t column, const double* right) {
           for (int c = 0; c < d; ++c)
             for (int e = 0; e < d; ++e) rows[static_cast<std::size_t>(c) * width + column + e] += left[c] * right[e];
         };
-        add_outer(place[static_cast<std::size_t>(i)],
-                  &centre[static_cast<std::size_t>(i)][static_cast<std::size_t>((2 * r + 1) * d)]);
+        add_outer(place[i], &centre[i][(2 * r + 1) * d]);
         for (int j = 0; j < count; ++j) {
-          const double q = Tangent::entry(term.q, bonds, first, j) * bonds.weight[static_cast<std::size_t>(first + j)];
+          const double q = Tangent::entry(term.q, bonds, first, j) * bonds.weight[first + j];
           const double* m = tangent.direction(first + j);
           double right[d];
           for (int e = 0; e < d; ++e) right[e] = q * m[e];
-          add_outer(place[static_cast<std::size_t>(bonds.neighbor[static_cast<std::size_t>(first + j)])], right);
+          add_outer(place[bonds.neighbor[first + j]], right);
         }
       }
     }

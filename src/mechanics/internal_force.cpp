@@ -79,7 +79,7 @@ std::string first_not_finite(const Scene& scene, const Trial& trial, const doubl
                                        scene.body().id[i], x[0], x[1], x[2]);
     const bonds::Bonds& bonds = scene.bonds();
     for (std::int64_t b = bonds.offset[i]; b < bonds.offset[i + 1]; ++b) {
-      const LocalIndex j = bonds.neighbor[static_cast<std::size_t>(b)];
+      const LocalIndex j = bonds.neighbor[b];
       double square = 0;
       for (int c = 0; c < d; ++c) {
         const auto ic = static_cast<std::size_t>(i) * d + c, jc = static_cast<std::size_t>(j) * d + c;

@@ -14,7 +14,7 @@ Scene::Scene(body::Body body, bonds::Bonds bonds, std::vector<std::unique_ptr<ma
   history_.point.assign(1, 0);
   history_.bond.assign(1, 0);
   for (LocalIndex i = 0; i < body_.owned; ++i) {
-    const auto& [per_point, per_bond] = needs[static_cast<std::size_t>(body_.material[i])];
+    const auto& [per_point, per_bond] = needs[body_.material[i]];
     const int count = bonds_.family_size(i);
     history_.point.push_back(history_.point.back() + per_point);
     history_.bond.push_back(history_.bond.back() + per_bond * count);

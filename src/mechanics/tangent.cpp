@@ -64,9 +64,7 @@ void Tangent::linearise_points(const Committed& committed, deck::TangentForm for
                                {trial_point.data(), trial_bond.data()});
     scene_.material(i).modulus(family, extension.data(), committed.history(scene_, i), form, modulus);
     std::copy(modulus.diagonal(), modulus.diagonal() + family.count, &diagonal_[first]);
-    for (int j = 0; j < family.count; ++j)
-      geometric_[first + static_cast<std::size_t>(j)] =
-          force_state[static_cast<std::size_t>(j)] / stretched[static_cast<std::size_t>(j)];
+    for (int j = 0; j < family.count; ++j) geometric_[first + j] = force_state[j] / stretched[j];
     for (int r = 0; r < modulus.rank(); ++r) {
       const materials::ModulusState::Term& term = modulus.term(r);
       if (term.radial) {
@@ -105,33 +103,31 @@ void Tangent::apply_points(double* y) const {
     const double* xi = &x_[static_cast<std::size_t>(i) * d];
     for (int j = 0; j < count; ++j) {  // de = M . dU, and D de
       const double* xj = &x_[static_cast<std::size_t>(neighbor[j]) * d];
-      const double* m = &direction_[(first + static_cast<std::size_t>(j)) * d];
+      const double* m = &direction_[(first + j) * d];
       double sum = 0;
       for (int c = 0; c < d; ++c) {
-        relative[static_cast<std::size_t>(j * d + c)] = xj[c] - xi[c];
+        relative[j * d + c] = xj[c] - xi[c];
         sum += m[c] * (xj[c] - xi[c]);
       }
-      change[static_cast<std::size_t>(j)] = sum;
-      state_change[static_cast<std::size_t>(j)] = diagonal_[first + static_cast<std::size_t>(j)] * sum;
+      change[j] = sum;
+      state_change[j] = diagonal_[first + j] * sum;
     }
     for (std::int64_t r = term_begin_[i]; r < term_begin_[i + 1]; ++r) {
-      const Term& term = terms_[static_cast<std::size_t>(r)];
+      const Term& term = terms_[r];
       double contraction = 0;
-      for (int j = 0; j < count; ++j)
-        contraction += entry(term.q, bonds, bonds.offset[i], j) * change[static_cast<std::size_t>(j)] * weight[j];
+      for (int j = 0; j < count; ++j) contraction += entry(term.q, bonds, bonds.offset[i], j) * change[j] * weight[j];
       contraction *= term.coefficient;
-      for (int j = 0; j < count; ++j)
-        state_change[static_cast<std::size_t>(j)] += contraction * entry(term.p, bonds, bonds.offset[i], j);
+      for (int j = 0; j < count; ++j) state_change[j] += contraction * entry(term.p, bonds, bonds.offset[i], j);
     }
     double own[d] = {};
     const double volume = scene_.body().volume[i];
     for (int j = 0; j < count; ++j) {  // dT = dt M + (t/|Y|)(dU - M de)
-      const double* m = &direction_[(first + static_cast<std::size_t>(j)) * d];
-      const double g = geometric_[first + static_cast<std::size_t>(j)];
-      const double along = state_change[static_cast<std::size_t>(j)] - g * change[static_cast<std::size_t>(j)];
+      const double* m = &direction_[(first + j) * d];
+      const double g = geometric_[first + j];
+      const double along = state_change[j] - g * change[j];
       double* yj = y + static_cast<std::size_t>(neighbor[j]) * d;
       for (int c = 0; c < d; ++c) {
-        const double pull = volume * weight[j] * (along * m[c] + g * relative[static_cast<std::size_t>(j * d + c)]);
+        const double pull = volume * weight[j] * (along * m[c] + g * relative[j * d + c]);
         own[c] += pull;
         yj[c] += pull;
       }
@@ -164,7 +160,7 @@ void Tangent::block_points(double* blocks) const {
     double p_sum[materials::ModulusState::max_rank][d] = {};
     double q_sum[materials::ModulusState::max_rank][d] = {};
     for (int j = 0; j < count; ++j) {
-      const std::size_t b = first + static_cast<std::size_t>(j);
+      const std::size_t b = first + j;
       const double* m = &direction_[b * d];
       const double w = bonds.weight[b];
       double low_rank = 0;  // the neighbour's own entry of the rank-one terms

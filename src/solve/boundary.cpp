@@ -26,7 +26,7 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
     if (load.kind == deck::LoadKind::displacement) {
       if (load.table) entry.table.emplace(*load.table, load.table_location, body, *entry.set);
       for (int c = 0; c < d; ++c) {
-        if (!load.table && !load.component[static_cast<std::size_t>(c)]) continue;
+        if (!load.table && !load.component[c]) continue;
         for (const LocalIndex i : *entry.set) {
           const auto unknown = static_cast<std::size_t>(i) * d + c;
           mark[unknown] = 1;
@@ -65,7 +65,7 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
 }
 
 double Boundary::value(const Entry& entry, int component, LocalIndex i, double t) const {
-  const auto& expression = entry.load->component[static_cast<std::size_t>(component)];
+  const auto& expression = entry.load->component[component];
   if (!expression) return 0;
   const deck::Point x = scene_.body().position3(i);
   return (*expression)(x[0], x[1], x[2], t);
@@ -82,8 +82,7 @@ void Boundary::check_finite(double t) const {
         sentence = fmt::format(
             "{}: the {} component is not a finite number at ({:g}, {:g}, {:g}) for t = {:g}; check "
             "the formula {}",
-            entry.load->location.text(), axis[c], x[0], x[1], x[2], t,
-            entry.load->component[static_cast<std::size_t>(c)]->text());
+            entry.load->location.text(), axis[c], x[0], x[1], x[2], t, entry.load->component[c]->text());
         break;
       }
   }
@@ -102,7 +101,7 @@ void Boundary::impose(double t, double* displacement) const {
         continue;
       }
       for (int c = 0; c < d; ++c)
-        if (entry.load->component[static_cast<std::size_t>(c)]) u[c] = value(entry, c, i, t);
+        if (entry.load->component[c]) u[c] = value(entry, c, i, t);
     }
   }
 }
@@ -114,7 +113,7 @@ void Boundary::external_force(double t, double* force) const {
     if (entry.load->kind == deck::LoadKind::displacement) continue;
     const bool total = entry.load->kind == deck::LoadKind::force;
     for (int c = 0; c < d; ++c) {
-      if (!entry.load->component[static_cast<std::size_t>(c)]) continue;
+      if (!entry.load->component[c]) continue;
       for (const LocalIndex i : *entry.set) {
         const double share = total ? scene_.body().volume[i] / entry.set_volume : scene_.body().volume[i];
         force[static_cast<std::size_t>(i) * d + c] += share * value(entry, c, i, t);

@@ -144,7 +144,7 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) 
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
     const std::vector<std::size_t>& places = history_place_[static_cast<std::size_t>(scene_.body().material[i])];
     for (std::size_t k = 0; k < places.size(); ++k)
-      history_values_[places[k]][static_cast<std::size_t>(i)] = committed_.history(scene_, i).point[k];
+      history_values_[places[k]][i] = committed_.history(scene_, i).point[k];
   }
 }
 
@@ -182,8 +182,7 @@ double LoadStepper::entry_value(const deck::HistoryEntry& entry) const {
       sums[0] += committed_.displacement()[unknown];
     } else {
       for (std::size_t k = 0; k < history_names_.size(); ++k)
-        if (history_names_[k] == "plastic_multiplier" && history_values_[k][static_cast<std::size_t>(i)] > 0)
-          sums[0] += 1;
+        if (history_names_[k] == "plastic_multiplier" && history_values_[k][i] > 0) sums[0] += 1;
     }
   }
   scene_.body().communicator.sum(sums);

@@ -17,7 +17,7 @@ void family_kinematics(const Scene& scene, LocalIndex i, const double* displacem
   const double* xi = reference + static_cast<std::size_t>(i) * d;
   const double* ui = displacement + static_cast<std::size_t>(i) * d;
   for (int j = 0; j < count; ++j) {
-    const auto k = static_cast<std::size_t>(bonds.neighbor[first + static_cast<std::size_t>(j)]) * d;
+    const auto k = static_cast<std::size_t>(bonds.neighbor[first + j]) * d;
     double bond[d], relative[d];
     double square = 0, change = 0;
     for (int c = 0; c < d; ++c) {
@@ -31,7 +31,7 @@ void family_kinematics(const Scene& scene, LocalIndex i, const double* displacem
       change += (bond[c] + y) * relative[c];
     }
     const double length = std::sqrt(square);
-    extension[j] = change / (length + bonds.length[first + static_cast<std::size_t>(j)]);
+    extension[j] = change / (length + bonds.length[first + j]);
     for (int c = 0; c < d; ++c) direction[j * d + c] = (bond[c] + relative[c]) / length;
     stretched[j] = length;
   }

@@ -24,9 +24,7 @@ class Scene {
 
   const body::Body& body() const { return body_; }
   const bonds::Bonds& bonds() const { return bonds_; }
-  const materials::Material& material(LocalIndex i) const {
-    return *materials_[static_cast<std::size_t>(body_.material[i])];
-  }
+  const materials::Material& material(LocalIndex i) const { return *materials_[body_.material[i]]; }
   const std::vector<std::unique_ptr<materials::Material>>& materials() const { return materials_; }
   const HistoryOffsets& history() const { return history_; }
 

@@ -34,16 +34,14 @@ class Tangent {
   const double* direction(std::int64_t bond) const {
     return &direction_[static_cast<std::size_t>(bond) * static_cast<std::size_t>(scene_.dimension())];
   }
-  double diagonal(std::int64_t bond) const { return diagonal_[static_cast<std::size_t>(bond)]; }
+  double diagonal(std::int64_t bond) const { return diagonal_[bond]; }
   /// t/|Y|, force a volume squared and length.
-  double geometric(std::int64_t bond) const { return geometric_[static_cast<std::size_t>(bond)]; }
+  double geometric(std::int64_t bond) const { return geometric_[bond]; }
   int rank(LocalIndex i) const { return static_cast<int>(term_begin_[i + 1] - term_begin_[i]); }
-  const Term& term(LocalIndex i, int r) const { return terms_[static_cast<std::size_t>(term_begin_[i] + r)]; }
+  const Term& term(LocalIndex i, int r) const { return terms_[term_begin_[i] + r]; }
   /// omega xi of a bond where the pointer of a term is null.
   static double entry(const double* state, const bonds::Bonds& bonds, std::int64_t first, int j) {
-    return state ? state[j]
-                 : bonds.influence[static_cast<std::size_t>(first + j)] *
-                       bonds.length[static_cast<std::size_t>(first + j)];
+    return state ? state[j] : bonds.influence[first + j] * bonds.length[first + j];
   }
 
   /// Bytes held by the linearisation on this rank.
