@@ -11,16 +11,14 @@
 namespace perinox::app {
 
 int run(const Options& options, const Communicator& communicator) {
-  const deck::Deck deck = read_deck(options, communicator);
-  body::PartitionReport partition;
-  const mechanics::Scene scene = mechanics::build_scene(deck, communicator, &partition);
+  const Problem problem = prepare(options, communicator);
+  const deck::Deck& deck = problem.deck;
+  const mechanics::Scene& scene = problem.scene;
   solve::LoadStepper stepper(deck, scene);
 
   const bool talk = communicator.is_root() && !options.quiet;
-  const SceneReport report = describe(deck, scene, partition);
-  if (talk) fmt::print("{}", report.summary);
-  if (communicator.is_root())
-    for (const std::string& remark : stepper.boundary().remarks()) fmt::print(stderr, "note: {}\n", remark);
+  if (talk) fmt::print("{}", problem.report.summary);
+  say_remarks(stepper.boundary(), communicator);
 
   const std::string directory =
       options.output.empty() ? (std::filesystem::path("results") / std::filesystem::path(options.deck).stem()).string()

@@ -19,15 +19,15 @@ constexpr long long assembled_bonds = 1'500'000;
 }  // namespace
 
 int verify(const Options& options, const Communicator& communicator) {
-  const deck::Deck deck = read_deck(options, communicator);
-  body::PartitionReport partition;
-  const mechanics::Scene scene = mechanics::build_scene(deck, communicator, &partition);
+  const Problem problem = prepare(options, communicator);
+  const deck::Deck& deck = problem.deck;
+  const mechanics::Scene& scene = problem.scene;
   solve::LoadStepper stepper(deck, scene);
   const bool talk = communicator.is_root() && !options.quiet;
-  const SceneReport report = describe(deck, scene, partition);
+  say_remarks(stepper.boundary(), communicator);
   const bool with_assembled = communicator.sum(static_cast<long long>(scene.bonds().count())) <= assembled_bonds;
   if (talk) {
-    fmt::print("{}", report.summary);
+    fmt::print("{}", problem.report.summary);
     fmt::print("{:>5} {:>10} {:>9} {:>12} {:>12} {:>12}", "step", "t", "yielding", "difference", "symmetry",
                "assembled");
     for (const deck::Material& material : deck.materials) fmt::print(" {:>12}", material.name.substr(0, 12));

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "perinox/core/error.hpp"
-
 namespace perinox::solve {
 
 namespace {
@@ -35,7 +33,6 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
         }
       }
     } else {
-      has_forces_ = true;
       for (const LocalIndex i : *entry.set) entry.set_volume += body.volume[i];
       entry.set_volume = body.communicator.sum(entry.set_volume);
     }
@@ -56,10 +53,9 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
   prescribed_count_ = body.communicator.sum(static_cast<long long>(mine));
   free_count_ = body.total * d - prescribed_count_;
   if (prescribed_count_ == 0)
-    throw InputError(
-        fmt::format("{}: nothing holds the body: no displacement is prescribed anywhere; add a boundary "
-                    "entry with displacement",
-                    deck.file));
+    deck::refuse(
+        deck.resolved.at("boundary").location(),
+        "nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with displacement");
   check_finite(deck.steps.count > 0 ? deck.steps.end / deck.steps.count : deck.steps.end);
   check_finite(deck.steps.end);
 }

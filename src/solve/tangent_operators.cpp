@@ -23,11 +23,9 @@ class TangentSystem::Masked : public OwnedOperator {
     tangent_.apply(free_.data(), y);
     for (std::size_t u = 0; u < unknowns; ++u)
       if (prescribed_[u]) y[u] = diagonal * x[u];
-    ++products;
   }
 
   double diagonal = 1;
-  mutable long long products = 0;
 
  private:
   const mechanics::Tangent& tangent_;
@@ -121,7 +119,6 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
 TangentSystem::~TangentSystem() = default;
 
 bool TangentSystem::symmetric() const { return scene_.symmetric(); }
-long long TangentSystem::products() const { return masked_->products; }
 std::string TangentSystem::preconditioner_name() const { return name_of(solver_.linear.preconditioner); }
 
 void TangentSystem::update(const mechanics::Committed& committed, const double* displacement) {

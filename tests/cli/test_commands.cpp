@@ -165,14 +165,17 @@ TEST(Run, AnOverrideIsInTheResolvedDeck) {
   EXPECT_EQ(history_without_seconds(folder.path() / "r").size(), 4);
 }
 
-TEST(Run, TellsOfAnUnknownThatIsPrescribedTwice) {
-  const Folder folder;
-  folder.write("deck.yaml", changed(base_deck, "steps:", "  - {set: head, displacement: {z: \"0.02*t\"}}\nsteps:"));
-  const Outcome outcome = folder.perinox({"run", "deck.yaml", "--quiet"});
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(
-      outcome.error,
-      "note: deck.yaml:23:5: prescribes 9 unknowns that an earlier entry prescribes too; this later one counts\n");
+TEST(Run, AndCheckAndVerifyTellOfAnUnknownThatIsPrescribedTwice) {
+  for (const char* command : {"run", "check", "verify"}) {
+    SCOPED_TRACE(command);
+    const Folder folder;
+    folder.write("deck.yaml", changed(base_deck, "steps:", "  - {set: head, displacement: {z: \"0.02*t\"}}\nsteps:"));
+    const Outcome outcome = folder.perinox({command, "deck.yaml", "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(
+        outcome.error,
+        "note: deck.yaml:23:5: prescribes 9 unknowns that an earlier entry prescribes too; this later one counts\n");
+  }
 }
 
 // --- check and verify ---------------------------------------------------------------------------------------------

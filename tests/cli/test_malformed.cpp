@@ -181,10 +181,10 @@ const Mistake mistakes_in_decks[] = {
      "flow out of the plane is missing); use dimension: 3 with a thin body, or model: elastic"},
     {"nothing_held", &base_deck, "displacement: {x: 0, y: 0, z: 0}}\n  - {set: head, displacement: {z: \"0.01*t\"}}",
      "force: {x: 1}}",
-     "deck.yaml: nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with "
+     "deck.yaml:21:3: nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with "
      "displacement"},
     {"no_loads", &flat_deck, "boundary: [{set: left, displacement: {x: 0, y: 0}}]\n", "",
-     "deck.yaml: nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with "
+     "deck.yaml:21:3: nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with "
      "displacement"},
     {"displacement_not_a_number", &base_deck, "\"0.01*t\"", "\"sqrt(x - 1)*t\"",
      "deck.yaml:22:5: the z component is not a finite number at (0.5, 0.5, 3.5) for t = 0.5; check the formula "

@@ -1,9 +1,11 @@
 #pragma once
 #include <string>
 
+#include "perinox/app/commands.hpp"
 #include "perinox/body/body.hpp"
 #include "perinox/deck/deck.hpp"
 #include "perinox/mechanics/scene.hpp"
+#include "perinox/solve/boundary.hpp"
 
 namespace perinox::app {
 
@@ -15,5 +17,18 @@ struct SceneReport {
 
 /// Collective.
 SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, const body::PartitionReport& partition);
+
+/// What run, check and verify start from.
+struct Problem {
+  deck::Deck deck;
+  mechanics::Scene scene;
+  SceneReport report;
+};
+
+/// Reads the deck, builds the scene, describes it. Collective; throws InputError.
+Problem prepare(const Options& options, const Communicator& communicator);
+
+/// The boundary's remarks, on rank 0, as notes on standard error; quiet or not.
+void say_remarks(const solve::Boundary& boundary, const Communicator& communicator);
 
 }  // namespace perinox::app

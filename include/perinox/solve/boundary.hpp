@@ -28,8 +28,6 @@ class Boundary {
   void impose(double t, double* displacement) const;
   /// External forces at t: [owned * dimension], force. A total force is spread over its set by volume.
   void external_force(double t, double* force) const;
-  /// True if any force or body force is given.
-  bool has_forces() const { return has_forces_; }
   /// One sentence for each unknown prescribed twice, at most one per pair of entries; for the log.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
@@ -48,7 +46,6 @@ class Boundary {
   std::vector<char> prescribed_;
   long long prescribed_count_ = 0;
   long long free_count_ = 0;
-  bool has_forces_ = false;
   std::vector<std::string> remarks_;
 };
 

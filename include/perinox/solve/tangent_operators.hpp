@@ -34,12 +34,8 @@ class TangentSystem {
   /// Root mean square of the diagonal of K over the free unknowns, force a length: the scale of stiffness. Set by
   /// update().
   double stiffness_scale() const { return stiffness_scale_; }
-  /// Products K x so far.
-  long long products() const;
   /// "block-jacobi", ...: what automatic chose.
   std::string preconditioner_name() const;
-  /// Stored entries of the assembled matrix over all ranks; 0 when matrix-free.
-  long long nonzeros() const { return assembled_ ? assembled_->nonzeros() : 0; }
 
  private:
   class Masked;
