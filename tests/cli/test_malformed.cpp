@@ -184,7 +184,7 @@ const Mistake mistakes_in_decks[] = {
      "deck.yaml:21:3: nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with "
      "displacement"},
     {"no_loads", &flat_deck, "boundary: [{set: left, displacement: {x: 0, y: 0}}]\n", "",
-     "deck.yaml:21:3: nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with "
+     "deck.yaml:1:1: nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with "
      "displacement"},
     {"displacement_not_a_number", &base_deck, "\"0.01*t\"", "\"sqrt(x - 1)*t\"",
      "deck.yaml:22:5: the z component is not a finite number at (0.5, 0.5, 3.5) for t = 0.5; check the formula "
