@@ -37,17 +37,18 @@ struct Totals {
 Totals totals_of(const mechanics::Scene& scene) {
   const Communicator& ranks = scene.body().communicator;
   Totals t;
-  t.bonds = ranks.sum(static_cast<long long>(scene.bonds().count()));
-  t.cut = ranks.sum(scene.bonds().cut);
+  t.bonds = ranks.sum(scene.families().directed);
+  t.cut = ranks.sum(scene.families().cut);
   t.ghosts = ranks.sum(static_cast<long long>(scene.body().ghosts));
-  t.point_history = ranks.sum(static_cast<long long>(scene.history().point.back()));
-  t.bond_history = ranks.sum(static_cast<long long>(scene.history().bond.back()));
+  t.point_history = ranks.sum(static_cast<long long>(scene.point_history().back()));
   long long smallest = 1LL << 40;
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
-    smallest = std::min<long long>(smallest, scene.bonds().family_size(i));
+    smallest = std::min<long long>(smallest, scene.families().size[i]);
     t.volume += scene.body().volume[i];
+    if (scene.material(i).history().per_bond > 0) t.bond_history += scene.families().size[i];
   }
   t.volume = ranks.sum(t.volume);
+  t.bond_history = ranks.sum(t.bond_history);
   t.smallest = -ranks.max(-smallest);
   t.largest = ranks.max(static_cast<long long>(scene.largest_family()));
   return t;
@@ -66,7 +67,7 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   SceneReport report;
   report.summary = fmt::format("{}\n", deck.title);
   report.summary += fmt::format("  {}: {} particles, {} unknowns, volume {:g}, horizon {:g}\n", name_of(deck.dimension),
-                                body.total, body.total * body.dimension, t.volume, scene.bonds().horizon);
+                                body.total, body.total * body.dimension, t.volume, scene.families().horizon);
   report.summary += fmt::format("  {} directed bonds, {} to {} a family (mean {:.1f})", t.bonds, t.smallest, t.largest,
                                 bonds / particles);
   report.summary += t.cut > 0 ? fmt::format(", {} cut by pre-cracks\n", t.cut) : "\n";

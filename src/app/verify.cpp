@@ -25,7 +25,7 @@ int verify(const Options& options, const Communicator& communicator) {
   solve::LoadStepper stepper(deck, scene);
   const bool talk = communicator.is_root() && !options.quiet;
   say_remarks(stepper.boundary(), communicator);
-  const bool with_assembled = communicator.sum(static_cast<long long>(scene.bonds().count())) <= assembled_bonds;
+  const bool with_assembled = communicator.sum(scene.families().directed) <= assembled_bonds;
   if (talk) {
     fmt::print("{}", problem.report.summary);
     fmt::print("{:>5} {:>10} {:>9} {:>12} {:>12} {:>12}", "step", "t", "yielding", "difference", "symmetry",

@@ -35,7 +35,8 @@ CrackSurface::CrackSurface(const deck::Crack& crack, double tolerance) : toleran
     }
     origin_ = disc->center;
     normal_ = scaled(disc->normal, 1 / length);
-    radius_ = disc->radius;
+    radius_ = extent_ = disc->radius;
+    middle_ = disc->center;
     return;
   }
   const auto* segment = std::get_if<deck::CrackSegment>(&crack.form);
@@ -50,6 +51,8 @@ CrackSurface::CrackSurface(const deck::Crack& crack, double tolerance) : toleran
   normal_ = scaled(area, 1 / std::sqrt(squared));
   dual1_ = scaled(cross(surface.edge2, area), 1 / squared);
   dual2_ = scaled(cross(area, surface.edge1), 1 / squared);
+  for (int c = 0; c < 3; ++c) middle_[c] = surface.corner[c] + (surface.edge1[c] + surface.edge2[c]) / 2;
+  extent_ = (std::sqrt(dot(surface.edge1, surface.edge1)) + std::sqrt(dot(surface.edge2, surface.edge2))) / 2;
 }
 
 bool CrackSurface::covers(const Point& in_plane) const {
@@ -57,6 +60,12 @@ bool CrackSurface::covers(const Point& in_plane) const {
   if (radius_ > 0) return std::sqrt(dot(away, away)) <= radius_ * (1 + kEdge);
   const double a = dot(away, dual1_), b = dot(away, dual2_);
   return a >= -kEdge && a <= 1 + kEdge && b >= -kEdge && b <= 1 + kEdge;
+}
+
+bool CrackSurface::within(const Point& point, double reach) const {
+  const Point away = minus(point, middle_);
+  const double height = dot(minus(point, origin_), normal_), far = extent_ * (1 + kEdge) + reach;
+  return std::abs(height) <= reach + tolerance_ && dot(away, away) <= far * far;
 }
 
 bool CrackSurface::cuts(const Point& one, const Point& other) const {

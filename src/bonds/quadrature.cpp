@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "perinox/bonds/bonds.hpp"
+#include "perinox/bonds/families.hpp"
 
 namespace perinox::bonds {
 

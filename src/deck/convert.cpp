@@ -183,6 +183,7 @@ Deck convert(Value checked, const std::string& file) {
   deck.horizon = convert_horizon(checked.at("horizon"));
   deck.influence = convert_word<Influence>(checked, "influence", words::influence);
   deck.quadrature = convert_word<Quadrature>(checked, "quadrature", words::quadrature);
+  deck.small_strain = checked.at("deformation").text() == "small";
   for (const Value& crack : checked.at("cracks").items()) deck.cracks.push_back(convert_crack(crack, deck.dimension));
   for (const auto& [name, value] : checked.at("materials").entries()) {
     deck.materials.push_back({value.location(), name, value.at("model").text(), value});

@@ -91,6 +91,11 @@ Key declare_deck(const std::vector<ModelDeclaration>& models) {
       word_key("influence", words::influence, "constant",
                "Weight of a bond by its length: 1, 1/length, or a polynomial that ends at 0 at the horizon.");
   influence.example = "influence: inverse";
+  Key deformation =
+      word_key("deformation", words::deformation, "finite",
+               "finite: bonds turn and stretch with the body; small: they keep their reference direction, "
+               "which leaves out the geometric term and is cheaper, for small strains and rotations only.");
+  deformation.example = "deformation: small";
   Key quadrature = word_key("quadrature", words::quadrature, "whole",
                             "How much of a neighbour's volume counts near the horizon: all of it, the part inside the "
                             "horizon (linear taper, neighbours just outside included), or that taper without the "
@@ -101,8 +106,8 @@ Key declare_deck(const std::vector<ModelDeclaration>& models) {
   title.example = "title: block in tension";
   Key root = map_key("", "The deck.",
                      {title, dimension, declare_body(), bond_bodies, declare_horizon(), influence, quadrature,
-                      declare_cracks(), declare_materials(models), declare_sets(), declare_boundary(), declare_steps(),
-                      declare_solver(), declare_output(models), declare_history()});
+                      deformation, declare_cracks(), declare_materials(models), declare_sets(), declare_boundary(),
+                      declare_steps(), declare_solver(), declare_output(models), declare_history()});
   root.place = "a deck";
   root.required = true;
   return root;

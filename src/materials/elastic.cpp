@@ -7,39 +7,29 @@ namespace perinox::materials {
 Elastic::Elastic(double bulk, double shear, bool with_dilatation)
     : bulk_(bulk), shear_(shear), with_dilatation_(with_dilatation) {}
 
-PointResponse Elastic::respond(const Family& family, const double* extension, CommittedHistory, double* force_state,
-                               TrialHistory) const {
-  const double d = family.dimension;
-  const double m = family.weighted_volume;
+PointState Elastic::state(const FamilySums& sums, const double*, double*) const {
+  const double d = sums.dimension;
+  const double m = sums.weighted_volume;
   const double alpha = d * (d + 2) * shear_ / m;
-  double theta = 0;
-  if (with_dilatation_) {
-    for (int j = 0; j < family.count; ++j)
-      theta += family.influence[j] * family.length[j] * extension[j] * family.weight[j];
-    theta *= d / m;
-  }
-  const double pressure = d * bulk_ * theta / m;
-  double strain_square = 0;
-  for (int j = 0; j < family.count; ++j) {
-    const double deviatoric = extension[j] - theta * family.length[j] / d;
-    force_state[j] = family.influence[j] * (pressure * family.length[j] + alpha * deviatoric);
-    strain_square += family.influence[j] * deviatoric * deviatoric * family.weight[j];
-  }
-  PointResponse response;
-  response.dilatation = theta;
-  response.stored_energy = 0.5 * (bulk_ * theta * theta + alpha * strain_square);
-  return response;
+  PointState point;
+  const double theta = with_dilatation_ ? d / m * sums.extension : 0;
+  point.mean = theta / d;
+  point.shear = alpha;
+  point.radial = d * bulk_ * theta / m - alpha * point.mean;
+  point.response.dilatation = theta;
+  point.response.stored_energy = 0.5 * (bulk_ * theta * theta + alpha * sums.square_about(point.mean));
+  return point;
 }
 
-void Elastic::modulus(const Family& family, const double*, CommittedHistory, deck::TangentForm,
-                      ModulusState& modulus) const {
-  const double d = family.dimension;
-  const double m = family.weighted_volume;
-  const double alpha = d * (d + 2) * shear_ / m;
-  modulus.reset(family.count);
-  double* diagonal = modulus.diagonal();
-  for (int j = 0; j < family.count; ++j) diagonal[j] = alpha * family.influence[j];
-  if (with_dilatation_) modulus.add_radial((d * d * bulk_ - alpha * m) / (m * m));  // (26)
+PointModulus Elastic::modulus(const FamilySums& sums, const double*, deck::TangentForm) const {
+  const double d = sums.dimension;
+  const double m = sums.weighted_volume;
+  PointModulus point;
+  point.shear = d * (d + 2) * shear_ / m;
+  if (!with_dilatation_) return point;
+  point.mean = sums.extension / m;
+  point.radial = (d * d * bulk_ - point.shear * m) / (m * m);  // (26)
+  return point;
 }
 
 std::string Elastic::summary() const {

@@ -20,25 +20,17 @@ ElasticPlastic::ElasticPlastic(const Parameters& parameters) : parameters_(param
 
 HistoryLayout ElasticPlastic::history() const { return {point_history, 1}; }
 
-ElasticPlastic::Return ElasticPlastic::radial_return(const Family& family, const double* extension,
-                                                     CommittedHistory committed) const {
-  const double d = family.dimension;
-  const double m = family.weighted_volume;
+ElasticPlastic::Return ElasticPlastic::radial_return(const FamilySums& sums, const double* committed) const {
+  const double d = sums.dimension;
+  const double m = sums.weighted_volume;
   Return r;
   r.alpha = d * (d + 2) * parameters_.shear / m;
-  if (parameters_.with_dilatation) {
-    for (int j = 0; j < family.count; ++j)
-      r.dilatation += family.influence[j] * family.length[j] * extension[j] * family.weight[j];
-    r.dilatation *= d / m;
-  }
-  for (int j = 0; j < family.count; ++j) {
-    const double elastic = extension[j] - r.dilatation * family.length[j] / d - committed.bond[j];
-    r.strain_square += family.influence[j] * elastic * elastic * family.weight[j];
-  }
+  if (parameters_.with_dilatation) r.dilatation = d / m * sums.extension;
+  r.strain_square = sums.square_about(r.dilatation / d);
   r.trial_norm = r.alpha * std::sqrt(r.strain_square);
   // psi0 = d(d+2) tau^2/(2m), beta = sqrt(2 psi0) = c tau; with the continuum m and omega = 1 this is Eq. 51.
-  r.yield_scale = std::sqrt(d * (d + 2) / (parameters_.continuum_yield ? family.continuum_weighted_volume : m));
-  const double tau = parameters_.yield_shear + parameters_.hardening_shear * root3 * committed.point[equivalent_strain];
+  r.yield_scale = std::sqrt(d * (d + 2) / (parameters_.continuum_yield ? sums.continuum_weighted_volume : m));
+  const double tau = parameters_.yield_shear + parameters_.hardening_shear * root3 * committed[equivalent_strain];
   r.beta = r.yield_scale * tau;
   if (r.trial_norm <= r.beta * (1 + kink)) return r;
 
@@ -53,63 +45,49 @@ ElasticPlastic::Return ElasticPlastic::radial_return(const Family& family, const
   return r;
 }
 
-PointResponse ElasticPlastic::respond(const Family& family, const double* extension, CommittedHistory committed,
-                                      double* force_state, TrialHistory trial) const {
-  const double d = family.dimension;
-  const double m = family.weighted_volume;
-  const Return r = radial_return(family, extension, committed);
-  const double pressure = d * parameters_.bulk * r.dilatation / m;
-  const double shear = r.scale * r.alpha;
-  for (int j = 0; j < family.count; ++j) {
-    const double elastic = extension[j] - r.dilatation * family.length[j] / d - committed.bond[j];
-    force_state[j] = family.influence[j] * (pressure * family.length[j] + shear * elastic);
-    trial.bond[j] = committed.bond[j] + (1 - r.scale) * elastic;  // e_p + Delta lambda t_d/omega (45)
-  }
+PointState ElasticPlastic::state(const FamilySums& sums, const double* committed, double* trial) const {
+  const double d = sums.dimension;
+  const Return r = radial_return(sums, committed);
+  PointState point;
+  point.mean = r.dilatation / d;
+  point.shear = r.scale * r.alpha;
+  point.radial = d * parameters_.bulk * r.dilatation / sums.weighted_volume - point.shear * point.mean;
+  point.flow = 1 - r.scale;                                                  // e_p + Delta lambda t_d/omega (45)
   const double delta_lambda = r.yielding ? (1 / r.scale - 1) / r.alpha : 0;  // (44)
-  trial.point[multiplier] = committed.point[multiplier] + delta_lambda;
-  trial.point[equivalent_strain] = committed.point[equivalent_strain] + r.plastic_shear / root3;
+  trial[multiplier] = committed[multiplier] + delta_lambda;
+  trial[equivalent_strain] = committed[equivalent_strain] + r.plastic_shear / root3;
 
-  PointResponse response;
+  PointResponse& response = point.response;
   response.dilatation = r.dilatation;
   response.stored_energy =
       0.5 * (parameters_.bulk * r.dilatation * r.dilatation + r.alpha * r.scale * r.scale * r.strain_square);
   response.dissipation = delta_lambda * r.beta * r.beta;
   response.hardening_potential = r.potential;
   response.yielding = r.yielding;
-  return response;
+  return point;
 }
 
-void ElasticPlastic::modulus(const Family& family, const double* extension, CommittedHistory committed,
-                             deck::TangentForm form, ModulusState& modulus) const {
-  const double d = family.dimension;
-  const double m = family.weighted_volume;
-  const Return r = radial_return(family, extension, committed);
-  const double shear = r.scale * r.alpha;
-  modulus.reset(family.count);
-  double* diagonal = modulus.diagonal();
-  for (int j = 0; j < family.count; ++j) diagonal[j] = shear * family.influence[j];
+PointModulus ElasticPlastic::modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const {
+  const double d = sums.dimension;
+  const double m = sums.weighted_volume;
+  const Return r = radial_return(sums, committed);
+  PointModulus point;
+  point.mean = r.dilatation / d;
+  point.shear = r.scale * r.alpha;
   const bool printed = form == deck::TangentForm::printed && r.yielding;
   if (parameters_.with_dilatation) {
     // Eq. 65 as printed lacks the factor 3/m of the dilatation's gradient.
-    modulus.add_radial(printed ? 3 * parameters_.bulk / m - shear / 3
-                               : (d * d * parameters_.bulk - shear * m) / (m * m));
+    point.radial =
+        printed ? 3 * parameters_.bulk / m - point.shear / 3 : (d * d * parameters_.bulk - point.shear * m) / (m * m);
   }
-  if (!r.yielding) return;
-
+  if (!r.yielding) return point;
+  // The rank-one state t_trial = alpha q with its coefficient -alpha beta/N^3; hardening adds alpha beta'/N^2. As
+  // printed, the third term carries a Delta(zeta - xi) that (63) does not have: read as one quadrature weight, it keeps
+  // only the diagonal.
   const double n = r.trial_norm;
-  const double coefficient = r.alpha * (r.beta_slope * n - r.beta) / (n * n * n);
-  double* trial_state = printed ? nullptr : modulus.add_symmetric(coefficient);
-  for (int j = 0; j < family.count; ++j) {
-    const double elastic = extension[j] - r.dilatation * family.length[j] / d - committed.bond[j];
-    const double trial = r.alpha * family.influence[j] * elastic;
-    if (printed) {
-      // Its third term carries a Delta(zeta - xi) that (63) does not have: read as one quadrature weight, it keeps
-      // only the diagonal of the rank-one state.
-      diagonal[j] += coefficient * family.influence[j] * trial * trial * family.weight[j];
-    } else {
-      trial_state[j] = trial;
-    }
-  }
+  point.flow = r.alpha * r.alpha * r.alpha * (r.beta_slope * n - r.beta) / (n * n * n);
+  point.diagonal_only = printed;
+  return point;
 }
 
 std::string ElasticPlastic::summary() const {

@@ -94,7 +94,7 @@ void AssembledTangent::build_pattern() {
 }
 
 template <int d>
-void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diagonal, double* values) const {
+void AssembledTangent::fill_rows(const StoredTangent& tangent, double prescribed_diagonal, double* values) const {
   constexpr int max_rank = materials::ModulusState::max_rank;
   const bonds::Bonds& bonds = scene_.bonds();
   const auto owned = static_cast<std::size_t>(scene_.owned());
@@ -106,13 +106,13 @@ void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diago
     const std::int64_t first = bonds.offset[i];
     centre[i].fill(0.0);
     for (int r = 0; r < tangent.rank(particle); ++r) {
-      const Tangent::Term& term = tangent.term(particle, r);
+      const StoredTangent::Term& term = tangent.term(particle, r);
       for (int j = 0; j < bonds.family_size(particle); ++j) {
         const double w = bonds.weight[first + j];
         const double* m = tangent.direction(first + j);
         for (int c = 0; c < d; ++c) {
-          centre[i][2 * r * d + c] -= Tangent::entry(term.p, bonds, first, j) * w * m[c];
-          centre[i][(2 * r + 1) * d + c] -= Tangent::entry(term.q, bonds, first, j) * w * m[c];
+          centre[i][2 * r * d + c] -= StoredTangent::entry(term.p, bonds, first, j) * w * m[c];
+          centre[i][(2 * r + 1) * d + c] -= StoredTangent::entry(term.q, bonds, first, j) * w * m[c];
         }
       }
     }
@@ -154,11 +154,11 @@ void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diago
       }
 
       for (int r = 0; r < terms; ++r) {
-        const Tangent::Term& term = tangent.term(i, r);
+        const StoredTangent::Term& term = tangent.term(i, r);
         double left[d];
         for (int c = 0; c < d; ++c)
           left[c] = volume * term.coefficient *
-                    (ja >= 0 ? Tangent::entry(term.p, bonds, first, ja) * bonds.weight[first + ja] *
+                    (ja >= 0 ? StoredTangent::entry(term.p, bonds, first, ja) * bonds.weight[first + ja] *
                                    tangent.direction(first + ja)[c]
                              : centre[i][2 * r * d + c]);
         auto add_outer = [&](std::size_t column, const double* right) {
@@ -167,7 +167,7 @@ void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diago
         };
         add_outer(place[i], &centre[i][(2 * r + 1) * d]);
         for (int j = 0; j < count; ++j) {
-          const double q = Tangent::entry(term.q, bonds, first, j) * bonds.weight[first + j];
+          const double q = StoredTangent::entry(term.q, bonds, first, j) * bonds.weight[first + j];
           const double* m = tangent.direction(first + j);
           double right[d];
           for (int e = 0; e < d; ++e) right[e] = q * m[e];
@@ -190,7 +190,7 @@ void AssembledTangent::fill_rows(const Tangent& tangent, double prescribed_diago
   }
 }
 
-void AssembledTangent::fill(const Tangent& tangent, double prescribed_diagonal) {
+void AssembledTangent::fill(const StoredTangent& tangent, double prescribed_diagonal) {
   if (contributions_->isFillComplete()) contributions_->resumeFill();
   {
     const auto local = contributions_->getLocalMatrixHost();

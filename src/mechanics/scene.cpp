@@ -1,37 +1,143 @@
 #include "perinox/mechanics/scene.hpp"
 
 #include <algorithm>
+#include <numeric>
+
+#include "evaluation.hpp"
 
 namespace perinox::mechanics {
 
-Scene::Scene(body::Body body, bonds::Bonds bonds, std::vector<std::unique_ptr<materials::Material>> materials)
-    : body_(std::move(body)), bonds_(std::move(bonds)), materials_(std::move(materials)) {
-  std::vector<std::pair<std::int64_t, std::int64_t>> needs;  // of each material: values a point, values a bond
+namespace {
+
+std::vector<LocalIndex> all_owned(const body::Body& body) {
+  std::vector<LocalIndex> order(static_cast<std::size_t>(body.owned));
+  std::iota(order.begin(), order.end(), 0);
+  return order;
+}
+
+/// Adds what the layouts leave out, in the order of ids.
+void add_family(bonds::Bonds& bonds, std::vector<bonds::FoundBond>& family, const body::Body& body) {
+  std::sort(family.begin(), family.end(), [&](const bonds::FoundBond& a, const bonds::FoundBond& b) {
+    return body.id[a.neighbor] < body.id[b.neighbor];
+  });
+  for (const bonds::FoundBond& bond : family) {
+    bonds.neighbor.push_back(bond.neighbor);
+    bonds.length.push_back(bond.length);
+    bonds.weight.push_back(bond.weight);
+    bonds.influence.push_back(bond.influence);
+  }
+  bonds.offset.push_back(static_cast<std::int64_t>(bonds.neighbor.size()));
+}
+
+}  // namespace
+
+Scene::Scene(body::Body body, const bonds::Bonds& bonds, std::vector<std::unique_ptr<materials::Material>> materials,
+             Layout layout, bool small_strain)
+    : body_(std::move(body)), families_(bonds), materials_(std::move(materials)), small_strain_(small_strain) {
+  auto grid = layout == Layout::automatic ? bonds::find_grid(body_) : std::nullopt;
+  if (grid) {
+    lattice_ = std::make_unique<bonds::LatticeFamilies>(body_, std::move(*grid));
+    for (LocalIndex i = 0; i < body_.owned; ++i) lattice_->receive(i, bonds.family(i));
+    lattice_->complete();
+  } else {
+    const std::vector<LocalIndex> order = bonds::curve_order(body_);
+    pairs_ = std::make_unique<bonds::PairFamilies>(body_, order);
+    for (const LocalIndex i : order) pairs_->receive(i, bonds.family(i), body_);
+    pairs_->complete();
+  }
+  complete();
+}
+
+Scene::Scene(const deck::Deck& deck, body::Body body, double horizon,
+             std::vector<std::unique_ptr<materials::Material>> materials, Layout layout)
+    : body_(std::move(body)), materials_(std::move(materials)), small_strain_(deck.small_strain) {
+  auto grid = layout == Layout::automatic ? bonds::find_grid(body_) : std::nullopt;
+  if (grid) {
+    lattice_ = std::make_unique<bonds::LatticeFamilies>(body_, std::move(*grid));
+    families_ = bonds::find_families(
+        deck, body_, horizon, &lattice_->grid(), all_owned(body_),
+        [&](LocalIndex i, const std::vector<bonds::FoundBond>& family) { lattice_->receive(i, family); });
+    lattice_->complete();
+  } else {
+    const std::vector<LocalIndex> order = bonds::curve_order(body_);
+    pairs_ = std::make_unique<bonds::PairFamilies>(body_, order);
+    families_ = bonds::find_families(
+        deck, body_, horizon, nullptr, order,
+        [&](LocalIndex i, const std::vector<bonds::FoundBond>& family) { pairs_->receive(i, family, body_); });
+    pairs_->complete();
+  }
+  complete();
+}
+
+Scene::Scene(Scene&&) noexcept = default;
+Scene::~Scene() = default;
+
+void Scene::complete() {
+  std::vector<std::int64_t> needs;
+  std::vector<bool> plastic;
   for (const auto& material : materials_) {
     const materials::HistoryLayout layout = material->history();
-    needs.emplace_back(static_cast<std::int64_t>(layout.point.size()), layout.per_bond);
+    needs.push_back(static_cast<std::int64_t>(layout.point.size()));
+    plastic.push_back(layout.per_bond > 0);
   }
-  history_.point.assign(1, 0);
-  history_.bond.assign(1, 0);
+  point_history_.assign(1, 0);
   for (LocalIndex i = 0; i < body_.owned; ++i) {
-    const auto& [per_point, per_bond] = needs[body_.material[i]];
-    const int count = bonds_.family_size(i);
-    history_.point.push_back(history_.point.back() + per_point);
-    history_.bond.push_back(history_.bond.back() + per_bond * count);
-    largest_family_ = std::max(largest_family_, count);
+    point_history_.push_back(point_history_.back() + needs[body_.material[i]]);
+    plastic_ = plastic_ || plastic[body_.material[i]];
+    largest_family_ = std::max(largest_family_, families_.size[i]);
   }
 }
 
+const bonds::Bonds& Scene::bonds() const {
+  if (bonds_) return *bonds_;
+  bonds_ = std::make_unique<bonds::Bonds>();
+  bonds::Bonds& all = *bonds_;
+  static_cast<bonds::Families&>(all) = families_;
+  all.offset.push_back(0);
+  std::vector<bonds::FoundBond> family;
+  if (lattice_) {
+    std::vector<bonds::LatticeFamilies::Place> places;
+    for (LocalIndex i = 0; i < body_.owned; ++i) {
+      lattice_->places(i, places);
+      family.clear();
+      for (const auto& place : places) {
+        const bonds::StencilOffset& offset = lattice_->offsets()[place.offset];
+        family.push_back({place.neighbor, offset.length, offset.share * lattice_->volume(), offset.influence});
+      }
+      add_family(all, family, body_);
+    }
+    return all;
+  }
+  const auto every = pairs_->places();
+  for (LocalIndex i = 0; i < body_.owned; ++i) {
+    family.clear();
+    for (const auto& place : every[i]) {
+      const double length = pairs_->length()[place.pair];
+      const double influence = bonds::influence_value(families_.influence, length, families_.horizon);
+      const double weight = pairs_->weight().empty() ? 1 : pairs_->weight()[place.pair];
+      family.push_back({place.neighbor, length, weight / influence * body_.volume[place.neighbor], influence});
+    }
+    add_family(all, family, body_);
+  }
+  return all;
+}
+
+Evaluation& Scene::evaluation() const {
+  if (!evaluation_) evaluation_ = std::make_unique<Evaluation>(*this);
+  return *evaluation_;
+}
+
 materials::Family Scene::family(LocalIndex i) const {
-  const auto first = static_cast<std::size_t>(bonds_.offset[i]);
+  const bonds::Bonds& all = bonds();
+  const auto first = static_cast<std::size_t>(all.offset[i]);
   materials::Family family;
   family.dimension = body_.dimension;
-  family.count = bonds_.family_size(i);
-  family.length = bonds_.length.data() + first;
-  family.influence = bonds_.influence.data() + first;
-  family.weight = bonds_.weight.data() + first;
-  family.weighted_volume = bonds_.weighted_volume[i];
-  family.continuum_weighted_volume = bonds_.continuum_weighted_volume;
+  family.count = all.family_size(i);
+  family.length = all.length.data() + first;
+  family.influence = all.influence.data() + first;
+  family.weight = all.weight.data() + first;
+  family.weighted_volume = all.weighted_volume[i];
+  family.continuum_weighted_volume = all.continuum_weighted_volume;
   return family;
 }
 
@@ -54,8 +160,7 @@ Scene build_scene(const deck::Deck& deck, const Communicator& communicator, body
   const double horizon = body::horizon_length(deck, communicator);
   const double reach = bonds::reach(deck, horizon, body::largest_spacing(deck, communicator));
   body::Body body = body::build(deck, communicator, reach, report);
-  bonds::Bonds bonds = bonds::build(deck, body, horizon);
-  return Scene(std::move(body), std::move(bonds), std::move(materials));
+  return Scene(deck, std::move(body), horizon, std::move(materials));
 }
 
 }  // namespace perinox::mechanics

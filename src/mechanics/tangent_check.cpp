@@ -50,7 +50,7 @@ std::vector<double> squares_by_material(const Scene& scene, const std::vector<do
   return sums;
 }
 
-double compare_assembled(const Scene& scene, const Tangent& tangent, const std::vector<double>& direction,
+double compare_assembled(const Scene& scene, const StoredTangent& tangent, const std::vector<double>& direction,
                          const std::vector<double>& product) {
   AssembledTangent assembled(scene, std::vector<char>(scene.local_unknowns(), 0));
   assembled.fill(tangent, 1);
@@ -71,7 +71,8 @@ double compare_assembled(const Scene& scene, const Tangent& tangent, const std::
 
 TangentCheck check_tangent(const Scene& scene, const Committed& committed, const std::vector<double>& displacement,
                            deck::TangentForm form, bool with_assembled, std::uint64_t seed) {
-  Tangent tangent(scene);
+  const std::unique_ptr<Tangent> made = make_tangent(scene, form);
+  Tangent& tangent = *made;
   tangent.linearise(committed, displacement.data(), form);
   const std::vector<double> v = random_field(scene, seed), w = random_field(scene, seed + 1);
   std::vector<double> kv(v.size()), kw(v.size());
@@ -83,7 +84,7 @@ TangentCheck check_tangent(const Scene& scene, const Committed& committed, const
   check.direction = std::numeric_limits<double>::infinity();
   std::vector<double> moved(v.size()), plus(v.size()), minus(v.size()), difference(v.size());
   for (double relative = 1e-3; relative > 5e-9; relative /= 10) {
-    const double h = relative * scene.bonds().horizon;
+    const double h = relative * scene.families().horizon;
     Trial trial;
     for (std::size_t u = 0; u < v.size(); ++u) moved[u] = displacement[u] + h * v[u];
     internal_force(scene, committed, moved.data(), trial, plus.data());
@@ -107,7 +108,11 @@ TangentCheck check_tangent(const Scene& scene, const Committed& committed, const
   Trial here;
   internal_force(scene, committed, displacement.data(), here, plus.data());
   check.yielding = scene.body().communicator.sum(here.yielding);
-  if (with_assembled) check.assembled = compare_assembled(scene, tangent, v, kv);
+  if (with_assembled) {
+    StoredTangent stored(scene);
+    stored.linearise(committed, displacement.data(), form);
+    check.assembled = compare_assembled(scene, stored, v, kv);
+  }
   return check;
 }
 

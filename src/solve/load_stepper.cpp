@@ -137,14 +137,14 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) 
   has_previous_ = true;
   dilatation_ = std::move(trial.dilatation);
   stored_energy_ = std::move(trial.stored_energy);
-  committed_ = mechanics::Committed(std::move(trial));
+  committed_.advance(scene_, std::move(trial));
   force_ = std::move(force);
   external_ = std::move(external);
 
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
     const std::vector<std::size_t>& places = history_place_[static_cast<std::size_t>(scene_.body().material[i])];
     for (std::size_t k = 0; k < places.size(); ++k)
-      history_values_[places[k]][i] = committed_.history(scene_, i).point[k];
+      history_values_[places[k]][i] = committed_.point_history(scene_, i)[k];
   }
 }
 
@@ -194,8 +194,8 @@ std::vector<Field> LoadStepper::fields() const {
                          {"force", scene_.dimension(), force_.data()},
                          {"dilatation", 1, dilatation_.data()},
                          {"stored_energy", 1, stored_energy_.data()},
-                         {"damage", 1, scene_.bonds().damage.data()},
-                         {"weighted_volume", 1, scene_.bonds().weighted_volume.data()}};
+                         {"damage", 1, scene_.families().damage.data()},
+                         {"weighted_volume", 1, scene_.families().weighted_volume.data()}};
   for (std::size_t k = 0; k < history_names_.size(); ++k)
     all.push_back({history_names_[k], 1, history_values_[k].data()});
   return all;

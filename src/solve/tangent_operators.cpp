@@ -91,14 +91,20 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
     : scene_(scene),
       prescribed_(prescribed),
       solver_(solver),
-      tangent_(scene),
       map_(mechanics::unknowns_map(scene.body())),
       blocks_(scene.owned_unknowns() * static_cast<std::size_t>(scene.dimension())) {
   const bool assembled = solver_.tangent == deck::TangentKind::assembled;
   deck::Preconditioner& kind = solver_.linear.preconditioner;
   if (kind == deck::Preconditioner::automatic)
     kind = assembled ? deck::Preconditioner::symmetric_gauss_seidel : deck::Preconditioner::block_jacobi;
-  masked_ = Teuchos::rcp(new Masked(map_, tangent_, prescribed_));
+  if (assembled) {
+    auto stored = std::make_unique<mechanics::StoredTangent>(scene);
+    stored_ = stored.get();
+    tangent_ = std::move(stored);
+  } else {
+    tangent_ = mechanics::make_tangent(scene, solver_.form);
+  }
+  masked_ = Teuchos::rcp(new Masked(map_, *tangent_, prescribed_));
   operator_ = masked_;
   if (assembled) {
     assembled_ = std::make_unique<mechanics::AssembledTangent>(scene, prescribed_);
@@ -122,8 +128,8 @@ bool TangentSystem::symmetric() const { return scene_.symmetric(); }
 std::string TangentSystem::preconditioner_name() const { return name_of(solver_.linear.preconditioner); }
 
 void TangentSystem::update(const mechanics::Committed& committed, const double* displacement) {
-  tangent_.linearise(committed, displacement, solver_.form);
-  tangent_.diagonal_blocks(blocks_.data());
+  tangent_->linearise(committed, displacement, solver_.form);
+  tangent_->diagonal_blocks(blocks_.data());
   const int d = scene_.dimension();
   double square = 0, count = 0;
   for (std::size_t u = 0; u < scene_.owned_unknowns(); ++u) {
@@ -136,7 +142,7 @@ void TangentSystem::update(const mechanics::Committed& committed, const double* 
   scene_.body().communicator.sum(sums);
   stiffness_scale_ = sums[1] > 0 && sums[0] > 0 ? std::sqrt(sums[0] / sums[1]) : 1;
   masked_->diagonal = stiffness_scale_;
-  if (assembled_) assembled_->fill(tangent_, stiffness_scale_);
+  if (assembled_) assembled_->fill(*stored_, stiffness_scale_);
 }
 
 void TangentSystem::update_preconditioner() {

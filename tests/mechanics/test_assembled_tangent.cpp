@@ -38,12 +38,15 @@ TEST(AssembledTangent, AgreesWithTheMatrixFreeProduct) {
         std::vector<Vector> fields = fields_of(scene, state);
         const Vector here = fields.back();
         fields.pop_back();
-        mechanics::Tangent tangent(scene);
-        tangent.linearise(committed_after(scene, fields), here.data(), form);
+        const mechanics::Committed committed = committed_after(scene, fields);
+        mechanics::StoredTangent tangent(scene);
+        tangent.linearise(committed, here.data(), form);
+        const auto operator_of_the_form = mechanics::make_tangent(scene, form);
+        operator_of_the_form->linearise(committed, here.data(), form);
         mechanics::AssembledTangent assembled(scene, std::vector<char>(scene.local_unknowns(), 0));
         assembled.fill(tangent, 1);
         const Vector x = random_field(scene, 1, 51);
-        const Vector product = times(tangent, x);
+        const Vector product = times(*operator_of_the_form, x);
         EXPECT_LE(measured("assembled against matrix-free", relative_difference(times_matrix(assembled, x), product)),
                   1e-13);  // 8.5e-16
         // A second fill forgets the first.
@@ -54,7 +57,7 @@ TEST(AssembledTangent, AgreesWithTheMatrixFreeProduct) {
 
 TEST(AssembledTangent, PrescribedUnknownsAreADiagonal) {
   const mechanics::Scene scene = small_scene(material_table()[0], deck::Influence::constant, deck::Quadrature::whole);
-  mechanics::Tangent tangent(scene);
+  mechanics::StoredTangent tangent(scene);
   tangent.linearise(mechanics::Committed(scene), field_of(scene, {1.0}).data(), deck::TangentForm::consistent);
   std::vector<char> prescribed(scene.local_unknowns(), 0);
   for (std::size_t u = 0; u < prescribed.size(); u += 5) prescribed[u] = 1;

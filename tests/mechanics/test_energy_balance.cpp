@@ -51,7 +51,7 @@ Ledger ledger_of(const mechanics::Scene& scene, int steps) {
       ledger.stored = answer.trial.stored;
       previous = here;
       previous_force = answer.force;
-      committed = mechanics::Committed(std::move(answer.trial));
+      committed.advance(scene, std::move(answer.trial));
     }
   return ledger;
 }

@@ -23,10 +23,13 @@ class OneError : public materials::Material {
   OneError(const materials::ElasticPlastic::Parameters& right, Which which) : right_(right), which_(which) {}
 
   materials::HistoryLayout history() const override { return right_.history(); }
-  materials::PointResponse respond(const materials::Family& family, const double* extension,
-                                   materials::CommittedHistory committed, double* force_state,
-                                   materials::TrialHistory trial) const override {
-    return right_.respond(family, extension, committed, force_state, trial);
+  materials::PointState state(const materials::FamilySums& sums, const double* committed,
+                              double* trial) const override {
+    return right_.state(sums, committed, trial);
+  }
+  materials::PointModulus modulus(const materials::FamilySums& sums, const double* committed,
+                                  deck::TangentForm form) const override {
+    return right_.modulus(sums, committed, form);
   }
   void modulus(const materials::Family& family, const double* extension, materials::CommittedHistory committed,
                deck::TangentForm, materials::ModulusState& modulus) const override {
@@ -84,7 +87,7 @@ class EquationSixtyFive {
   mechanics::Scene scene_;
   mechanics::Committed start_;
   Vector field_;
-  mechanics::Tangent tangent_;
+  mechanics::StoredTangent tangent_;
 };
 
 EquationSixtyFive whole_material(double spacing) {

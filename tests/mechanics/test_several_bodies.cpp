@@ -70,7 +70,7 @@ void expect_sound(deck::Deck deck, const std::function<Materials()>& materials, 
         }
         EXPECT_LE(measured("several bodies: total force", largest_magnitude(resultant) / size), 1e-14);  // 7.3e-17
 
-        mechanics::Tangent tangent(scene);
+        mechanics::MatrixFreeTangent tangent(scene);
         tangent.linearise(committed, field.data(), deck::TangentForm::consistent);
         EXPECT_LE(measured("several bodies: asymmetry",
                            asymmetry(tangent, random_field(scene, 1, 41), random_field(scene, 1, 42))),
@@ -100,8 +100,7 @@ TEST(SeveralBodies, HistoryBelongsToThePlasticParticlesOnly) {
   const mechanics::Scene scene = make_scene(two_bodies(), elastic_and_plastic());
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
     const bool plastic = scene.body().material[i] == 1;
-    EXPECT_EQ(scene.history().point[i + 1] - scene.history().point[i], plastic ? 2 : 0);
-    EXPECT_EQ(scene.history().bond[i + 1] - scene.history().bond[i], plastic ? scene.bonds().family_size(i) : 0);
+    EXPECT_EQ(scene.point_history()[i + 1] - scene.point_history()[i], plastic ? 2 : 0);
   }
 }
 

@@ -38,7 +38,7 @@ class WholeTangent : public ::testing::TestWithParam<std::tuple<Case, deck::Infl
   mechanics::Scene scene_;
   std::vector<Vector> fields_;
   mechanics::Committed committed_;
-  mechanics::Tangent tangent_;
+  mechanics::MatrixFreeTangent tangent_;
 };
 
 TEST_P(WholeTangent, StateIsWhatItsNameSays) {

@@ -15,7 +15,8 @@
 #include <vector>
 
 #include "perinox/mechanics/internal_force.hpp"
-#include "perinox/mechanics/tangent.hpp"
+#include "perinox/mechanics/matrix_free_tangent.hpp"
+#include "perinox/mechanics/stored_tangent.hpp"
 
 namespace perinox::test {
 
@@ -84,13 +85,13 @@ inline void remove_cloud(const deck::Deck& deck) {
   std::filesystem::remove(std::get<deck::CloudFile>(deck.body.at(0).shape.form).path);
 }
 
-inline mechanics::Scene make_scene(const deck::Deck& deck, Materials materials) {
+inline mechanics::Scene make_scene(const deck::Deck& deck, Materials materials,
+                                   mechanics::Layout layout = mechanics::Layout::automatic) {
   const Communicator communicator;
   const double horizon = body::horizon_length(deck, communicator);
   const double reach = bonds::reach(deck, horizon, body::largest_spacing(deck, communicator));
   body::Body body = body::build(deck, communicator, reach);
-  bonds::Bonds bonds = bonds::build(deck, body, horizon);
-  return mechanics::Scene(std::move(body), std::move(bonds), std::move(materials));
+  return mechanics::Scene(deck, std::move(body), horizon, std::move(materials), layout);
 }
 
 // --- displacement fields --------------------------------------------------------------------------------------------
@@ -163,7 +164,7 @@ inline Answer internal_force(const mechanics::Scene& scene, const mechanics::Com
 inline mechanics::Committed committed_after(const mechanics::Scene& scene, const std::vector<Vector>& path) {
   mechanics::Committed committed(scene);
   for (const Vector& displacement : path)
-    committed = mechanics::Committed(std::move(internal_force(scene, committed, displacement).trial));
+    committed.advance(scene, internal_force(scene, committed, displacement).trial);
   return committed;
 }
 

@@ -16,6 +16,8 @@ class CrackSurface {
   /// start to its end), so a bond from it to that side is whole, a bond to the other side is cut, and a bond within the
   /// plane is whole. The answer does not depend on the order of the two particles, to the last bit.
   bool cuts(const deck::Point& one, const deck::Point& other) const;
+  /// False if no bond of a particle at `point` with one nearer than `reach` can be cut.
+  bool within(const deck::Point& point, double reach) const;
 
  private:
   bool covers(const deck::Point& in_plane) const;
@@ -23,6 +25,8 @@ class CrackSurface {
   deck::Point origin_{};           ///< corner of the parallelogram, center of the disc
   deck::Point normal_{};           ///< unit
   deck::Point dual1_{}, dual2_{};  ///< dual basis of the edges: (p - corner) . dual_k is the edge coordinate
+  deck::Point middle_{};           ///< of a ball around the surface
+  double extent_ = 0;              ///< its radius
   double radius_ = 0;              ///< of the disc; 0: a parallelogram
   double tolerance_ = 0;
 };

@@ -188,6 +188,7 @@ struct Deck {
   Horizon horizon;
   Influence influence = Influence::constant;
   Quadrature quadrature = Quadrature::whole;
+  bool small_strain = false;  ///< deformation: small
   std::vector<Crack> cracks;
   std::vector<Material> materials;
   std::vector<Set> sets;

@@ -10,10 +10,9 @@ class Elastic : public Material {
   /// bulk: kappa of the dimension at hand. with_dilatation false: theta is taken as zero, a bond-by-bond solid.
   Elastic(double bulk, double shear, bool with_dilatation);
 
-  PointResponse respond(const Family& family, const double* extension, CommittedHistory committed, double* force_state,
-                        TrialHistory trial) const override;
-  void modulus(const Family& family, const double* extension, CommittedHistory committed, deck::TangentForm form,
-               ModulusState& modulus) const override;
+  using Material::modulus;
+  PointState state(const FamilySums& sums, const double* committed, double* trial) const override;
+  PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const override;
   std::string summary() const override;
 
  private:

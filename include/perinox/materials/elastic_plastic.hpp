@@ -20,14 +20,13 @@ class ElasticPlastic : public Material {
   explicit ElasticPlastic(const Parameters& parameters);
 
   HistoryLayout history() const override;
-  PointResponse respond(const Family& family, const double* extension, CommittedHistory committed, double* force_state,
-                        TrialHistory trial) const override;
-  void modulus(const Family& family, const double* extension, CommittedHistory committed, deck::TangentForm form,
-               ModulusState& modulus) const override;
+  using Material::modulus;
+  PointState state(const FamilySums& sums, const double* committed, double* trial) const override;
+  PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const override;
   std::string summary() const override;
 
  private:
-  /// Everything the radial return decides for one family.
+  /// Everything the radial return decides for one point.
   struct Return {
     double dilatation = 0;
     double alpha = 0;          ///< d(d+2) mu/m
@@ -41,7 +40,7 @@ class ElasticPlastic : public Material {
     double potential = 0;      ///< work of tau over Delta gamma_p
     bool yielding = false;
   };
-  Return radial_return(const Family& family, const double* extension, CommittedHistory committed) const;
+  Return radial_return(const FamilySums& sums, const double* committed) const;
 
   Parameters parameters_;
 };

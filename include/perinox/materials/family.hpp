@@ -16,6 +16,25 @@ struct Family {
   double continuum_weighted_volume = 0;  ///< m of a full continuous neighbourhood
 };
 
+/// All that an ordinary material's point formulas need of a family: three sums over its bonds, a . b = sum a b weight.
+struct FamilySums {
+  double extension = 0;  ///< (omega xi) . e
+  double plastic = 0;    ///< (omega xi) . e_p
+  double square = 0;     ///< sum omega (e - e_p - shift xi)^2 weight
+  double shift = 0;      ///< any number near theta/d: the nearer, the less cancels
+  double weighted_volume = 0;
+  double continuum_weighted_volume = 0;
+  int dimension = 3;
+
+  /// sum omega (e - e_p - mean xi)^2 weight.
+  double square_about(double mean) const {
+    const double away = mean - shift;
+    const double value =
+        square - 2 * away * (extension - plastic - shift * weighted_volume) + away * away * weighted_volume;
+    return value > 0 ? value : 0;
+  }
+};
+
 /// History of one point at the last converged step: nothing can be written through it.
 struct CommittedHistory {
   const double* point = nullptr;  ///< [HistoryLayout::point.size()]
@@ -41,6 +60,25 @@ struct PointResponse {
   double dissipation = 0;          ///< Delta lambda beta^2 of this step, energy a volume, >= 0
   double hardening_potential = 0;  ///< work of the yield value over the step's flow; W + this is t's potential
   bool yielding = false;           ///< plastic flow in this step
+};
+
+/// Force state of one point, t<xi> = omega (radial xi + shear (e - e_p)), and what follows from it.
+struct PointState {
+  PointResponse response;
+  double radial = 0;
+  double shear = 0;
+  double mean = 0;  ///< theta/d
+  double flow = 0;  ///< e_p grows by flow (e - mean xi - e_p) when the state is committed
+};
+
+/// Its linearisation, dt<xi> = omega shear de + radial (omega xi)(omega xi . de) + flow q (q . de),
+/// q = omega (e - mean xi - e_p).
+struct PointModulus {
+  double shear = 0;
+  double radial = 0;
+  double flow = 0;
+  double mean = 0;
+  bool diagonal_only = false;  ///< of the last term only the diagonal counts, as the source paper prints it
 };
 
 /// Linearisation of one point's scalar force state,

@@ -10,23 +10,30 @@
 
 namespace perinox::materials {
 
-/// An ordinary material: for one family, its energy, scalar force state and modulus state. Nothing else in the code
-/// knows what the material is. Stateless: all history is handed in.
+/// An ordinary material: the energy, force state and modulus state of a point, from the sums over its family. Nothing
+/// else in the code knows what the material is. Stateless: all history is handed in.
 class Material {
  public:
   virtual ~Material() = default;
 
   virtual HistoryLayout history() const { return {}; }
 
-  /// Scalar force state t<xi> (force a volume squared) of a family with extension state e. extension, force_state:
-  /// [count]. Reads the committed history, writes every entry of the trial history.
+  /// The point's answer to the sums at a state under trial. Reads the committed point history, writes every entry of
+  /// the trial one (both [HistoryLayout::point.size()]).
+  virtual PointState state(const FamilySums& sums, const double* committed, double* trial) const = 0;
+
+  /// dt/de of state() at the same sums and committed history.
+  /// `printed` gives the modulus state as the source paper prints it, where that differs.
+  virtual PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const = 0;
+
+  /// Scalar force state t<xi> (force a volume squared) of one family with extension state e, bond by bond: state() and
+  /// its sums. extension, force_state: [count]. Writes every entry of the trial history.
   virtual PointResponse respond(const Family& family, const double* extension, CommittedHistory committed,
-                                double* force_state, TrialHistory trial) const = 0;
+                                double* force_state, TrialHistory trial) const;
 
   /// dt/de of respond() at the same extension and committed history.
-  /// `printed` gives the modulus state as the source paper prints it, where that differs.
   virtual void modulus(const Family& family, const double* extension, CommittedHistory committed,
-                       deck::TangentForm form, ModulusState& modulus) const = 0;
+                       deck::TangentForm form, ModulusState& modulus) const;
 
   /// False where dt/de is not symmetric: the linear solver then needs GMRES.
   virtual bool symmetric() const { return true; }

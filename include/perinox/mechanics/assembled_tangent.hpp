@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "perinox/core/tpetra.hpp"
-#include "perinox/mechanics/tangent.hpp"
+#include "perinox/mechanics/stored_tangent.hpp"
 
 namespace perinox::mechanics {
 
@@ -19,7 +19,7 @@ class AssembledTangent {
   AssembledTangent(const Scene& scene, const std::vector<char>& prescribed);
 
   /// Values of K at the tangent's state; `prescribed_diagonal` on the diagonal of prescribed unknowns. Collective.
-  void fill(const Tangent& tangent, double prescribed_diagonal);
+  void fill(const StoredTangent& tangent, double prescribed_diagonal);
 
   Teuchos::RCP<tpetra::Matrix> matrix() const { return matrix_; }
   /// Stored entries over all ranks.
@@ -28,7 +28,7 @@ class AssembledTangent {
  private:
   void build_pattern();
   template <int d>
-  void fill_rows(const Tangent& tangent, double prescribed_diagonal, double* values) const;
+  void fill_rows(const StoredTangent& tangent, double prescribed_diagonal, double* values) const;
 
   const Scene& scene_;
   std::vector<char> prescribed_;

@@ -6,7 +6,8 @@
 namespace perinox::mechanics {
 
 /// Extension e = |Y| - xi (7), direction M = Y/|Y| (5) and length |Y| of every bond of particle i.
-/// displacement: [local * d], ghosts up to date. extension, stretched: [family]; direction: [family * d].
+/// Small strain: e = X.U/xi, and direction and length as they were. displacement: [local * d], ghosts up to date.
+/// extension, stretched: [family]; direction: [family * d].
 template <int d>
 void family_kinematics(const Scene& scene, LocalIndex i, const double* displacement, double* extension,
                        double* direction, double* stretched) {
@@ -23,6 +24,15 @@ void family_kinematics(const Scene& scene, LocalIndex i, const double* displacem
     for (int c = 0; c < d; ++c) {
       bond[c] = reference[k + c] - xi[c];
       relative[c] = displacement[k + c] - ui[c];
+    }
+    if (scene.small_strain()) {
+      stretched[j] = bonds.length[first + j];
+      extension[j] = 0;
+      for (int c = 0; c < d; ++c) {
+        direction[j * d + c] = bond[c] / stretched[j];
+        extension[j] += direction[j * d + c] * relative[c];
+      }
+      continue;
     }
     // e = |Y| - xi = (|Y|^2 - xi^2)/(|Y| + xi) with |Y|^2 - xi^2 = (2 X + U).U: no cancellation at small strain.
     for (int c = 0; c < d; ++c) {

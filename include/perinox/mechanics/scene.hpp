@@ -6,27 +6,46 @@
 
 #include "perinox/body/body.hpp"
 #include "perinox/bonds/bonds.hpp"
+#include "perinox/bonds/lattice_families.hpp"
+#include "perinox/bonds/pair_families.hpp"
 #include "perinox/materials/material.hpp"
 
 namespace perinox::mechanics {
 
-/// Where each owned particle's history lies in the state arrays. A material without history takes no room.
-struct HistoryOffsets {
-  std::vector<std::int64_t> point;  ///< [owned + 1]
-  std::vector<std::int64_t> bond;   ///< [owned + 1]
-};
+class Evaluation;
+
+/// How the bonds are stored: as a stencil where the body is a lattice, or always as pairs (for comparison).
+enum class Layout { automatic, pairs };
 
 /// The discrete model: particles, families, and what each is made of. Constant during a run.
 class Scene {
  public:
-  /// materials: one per deck material, in the deck's order.
-  Scene(body::Body body, bonds::Bonds bonds, std::vector<std::unique_ptr<materials::Material>> materials);
+  /// materials: one per deck material, in the deck's order. bonds: of this body, and of nothing else.
+  Scene(body::Body body, const bonds::Bonds& bonds, std::vector<std::unique_ptr<materials::Material>> materials,
+        Layout layout = Layout::automatic, bool small_strain = false);
+  /// Finds the families itself. Collective; throws InputError.
+  Scene(const deck::Deck& deck, body::Body body, double horizon,
+        std::vector<std::unique_ptr<materials::Material>> materials, Layout layout = Layout::automatic);
+  Scene(Scene&&) noexcept;
+  ~Scene();
 
   const body::Body& body() const { return body_; }
-  const bonds::Bonds& bonds() const { return bonds_; }
+  const bonds::Families& families() const { return families_; }
+  /// One of the two is null.
+  const bonds::LatticeFamilies* lattice() const { return lattice_.get(); }
+  const bonds::PairFamilies* pairs() const { return pairs_.get(); }
+  /// Every bond in plain arrays, made at the first call: 28 bytes a directed bond.
+  const bonds::Bonds& bonds() const;
+
   const materials::Material& material(LocalIndex i) const { return *materials_[body_.material[i]]; }
   const std::vector<std::unique_ptr<materials::Material>>& materials() const { return materials_; }
-  const HistoryOffsets& history() const { return history_; }
+  /// Where each owned particle's point history lies in the state arrays: [owned + 1]. A material without history takes
+  /// no room.
+  const std::vector<std::int64_t>& point_history() const { return point_history_; }
+  /// True if any particle's material carries plastic extension.
+  bool plastic() const { return plastic_; }
+  /// True if bonds keep their reference direction: no geometric term anywhere.
+  bool small_strain() const { return small_strain_; }
 
   int dimension() const { return body_.dimension; }
   int owned() const { return body_.owned; }
@@ -35,19 +54,31 @@ class Scene {
   std::size_t local_unknowns() const { return static_cast<std::size_t>(body_.local()) * body_.dimension; }
   int largest_family() const { return largest_family_; }
 
-  /// The bonds of particle i as the materials see them.
+  /// The bonds of particle i as the materials see them; makes bonds().
   materials::Family family(LocalIndex i) const;
   /// False where any material's modulus state is not symmetric.
   bool symmetric() const;
   /// Names of all point history variables of all materials, each once.
   std::vector<std::string> point_history_names() const;
 
+  /// The last evaluation of the strains, shared by the internal force and the tangent. A workspace: no part of the
+  /// model.
+  Evaluation& evaluation() const;
+
  private:
+  void complete();
+
   body::Body body_;
-  bonds::Bonds bonds_;
+  bonds::Families families_;
+  std::unique_ptr<bonds::LatticeFamilies> lattice_;
+  std::unique_ptr<bonds::PairFamilies> pairs_;
   std::vector<std::unique_ptr<materials::Material>> materials_;
-  HistoryOffsets history_;
+  std::vector<std::int64_t> point_history_;
+  bool plastic_ = false;
+  bool small_strain_ = false;
   int largest_family_ = 0;
+  mutable std::unique_ptr<bonds::Bonds> bonds_;
+  mutable std::unique_ptr<Evaluation> evaluation_;
 };
 
 /// Particles, bonds and materials of a deck. Collective; throws InputError. report may be null.

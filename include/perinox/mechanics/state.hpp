@@ -1,6 +1,9 @@
 #pragma once
+#include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "perinox/mechanics/plastic_extension.hpp"
 #include "perinox/mechanics/scene.hpp"
 
 namespace perinox::mechanics {
@@ -10,37 +13,49 @@ struct Trial {
   double t = 0;
   std::vector<double> displacement;  ///< [local * dimension], ghosts up to date
   std::vector<double> point_history;
-  std::vector<double> bond_history;
+  std::vector<double> flow;           ///< [owned] share of the elastic part that flows; empty: no plastic material
   std::vector<double> dilatation;     ///< [owned]
+  std::vector<double> mean;           ///< [owned] dilatation/d as the material takes it
   std::vector<double> stored_energy;  ///< [owned] energy a volume
   double stored = 0;                  ///< energy of this rank's particles
   double dissipated = 0;              ///< energy this rank's particles dissipate in the step
   long long yielding = 0;             ///< this rank's particles that flow in the step
 };
 
-/// The state after the last converged step. Evaluations read it and cannot write it; only the load stepper makes a new
-/// one, from a converged trial.
+/// The state after the last converged step. Evaluations read it and cannot write it; only the load stepper moves it on,
+/// with a converged trial.
 class Committed {
  public:
   /// The undeformed body at t = 0.
   explicit Committed(const Scene& scene);
-  /// The trial becomes the truth.
-  explicit Committed(Trial&& trial);
+  Committed(Committed&&) = default;
+  Committed& operator=(Committed&&) = default;
+
+  /// The trial, evaluated from this state, becomes the truth. Plastic extension grows in place.
+  void advance(const Scene& scene, Trial&& trial);
 
   double t() const { return t_; }
   const std::vector<double>& displacement() const { return displacement_; }
   const std::vector<double>& point_history() const { return point_history_; }
-  const std::vector<double>& bond_history() const { return bond_history_; }
+  const PlasticExtension& plastic() const { return *plastic_; }
+  /// The same, to be kept by a tangent.
+  std::shared_ptr<const PlasticExtension> shared_plastic() const { return plastic_; }
+  /// [owned] dilatation/d; what strains are measured from, so that little cancels.
+  const std::vector<double>& mean() const { return mean_; }
+  /// Differs between any two states.
+  std::uint64_t version() const { return version_; }
 
-  materials::CommittedHistory history(const Scene& scene, LocalIndex i) const {
-    return {point_history_.data() + scene.history().point[i], bond_history_.data() + scene.history().bond[i]};
+  const double* point_history(const Scene& scene, LocalIndex i) const {
+    return point_history_.data() + scene.point_history()[i];
   }
 
  private:
   double t_ = 0;
   std::vector<double> displacement_;
   std::vector<double> point_history_;
-  std::vector<double> bond_history_;
+  std::vector<double> mean_;
+  std::shared_ptr<PlasticExtension> plastic_;
+  std::uint64_t version_ = 0;
 };
 
 }  // namespace perinox::mechanics

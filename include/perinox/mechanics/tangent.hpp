@@ -1,70 +1,33 @@
 #pragma once
-#include <cstdint>
-#include <vector>
+#include <cstddef>
+#include <memory>
 
 #include "perinox/mechanics/state.hpp"
 
 namespace perinox::mechanics {
 
-/// The tangent stiffness K = -df/du at one state, as "diagonal + low rank" point by point: for the family of i,
-///     dT = dt M + (t/|Y|)(I - M M) dU,   dt = D de + sum_r c_r p_r (q_r . de),   de = M . dU
-/// (Eq. 26, 65). Symmetric where the materials' modulus states are. The matrix-free product, the sparse assembly and
-/// the diagonal blocks all read these arrays.
+/// The tangent stiffness K = -df/du at one state, as an operator. Symmetric where the materials' modulus states are.
 class Tangent {
  public:
-  explicit Tangent(const Scene& scene);
+  explicit Tangent(const Scene& scene) : scene_(scene) {}
+  virtual ~Tangent() = default;
 
   /// Linearises at `displacement` [owned * dimension] from the committed state. Collective.
-  void linearise(const Committed& committed, const double* displacement, deck::TangentForm form);
-
+  virtual void linearise(const Committed& committed, const double* displacement, deck::TangentForm form) = 0;
   /// y = K x for owned unknowns; x, y: [owned * dimension]. Collective.
-  void apply(const double* x, double* y) const;
-
+  virtual void apply(const double* x, double* y) const = 0;
   /// The dimension x dimension diagonal block of every owned particle, row-major: [owned * dimension^2]. Collective.
-  void diagonal_blocks(double* blocks) const;
+  virtual void diagonal_blocks(double* blocks) const = 0;
+  /// Bytes held by the linearisation on this rank.
+  virtual std::size_t bytes() const = 0;
 
   const Scene& scene() const { return scene_; }
 
-  // Linearisation data, read by the sparse assembly.
-  struct Term {
-    double coefficient = 0;
-    const double* p = nullptr;  ///< [family]; null: omega xi
-    const double* q = nullptr;
-  };
-  const double* direction(std::int64_t bond) const {
-    return &direction_[static_cast<std::size_t>(bond) * static_cast<std::size_t>(scene_.dimension())];
-  }
-  double diagonal(std::int64_t bond) const { return diagonal_[bond]; }
-  /// t/|Y|, force a volume squared and length.
-  double geometric(std::int64_t bond) const { return geometric_[bond]; }
-  int rank(LocalIndex i) const { return static_cast<int>(term_begin_[i + 1] - term_begin_[i]); }
-  const Term& term(LocalIndex i, int r) const { return terms_[term_begin_[i] + r]; }
-  /// omega xi of a bond where the pointer of a term is null.
-  static double entry(const double* state, const bonds::Bonds& bonds, std::int64_t first, int j) {
-    return state ? state[j] : bonds.influence[first + j] * bonds.length[first + j];
-  }
-
-  /// Bytes held by the linearisation on this rank.
-  std::size_t bytes() const;
-
- private:
-  template <int d>
-  void linearise_points(const Committed& committed, deck::TangentForm form);
-  template <int d>
-  void apply_points(double* y) const;
-  template <int d>
-  void block_points(double* blocks) const;
-  double* keep(const double* values, int count);
-
+ protected:
   const Scene& scene_;
-  std::vector<double> direction_;         ///< [bonds * d] M
-  std::vector<double> diagonal_;          ///< [bonds] D
-  std::vector<double> geometric_;         ///< [bonds] t/|Y|
-  std::vector<std::int64_t> term_begin_;  ///< [owned + 1]
-  std::vector<Term> terms_;
-  std::vector<std::vector<double>> pool_;  ///< storage of the terms' states, in blocks that never move
-  std::size_t pool_block_ = 0, pool_used_ = 0;
-  mutable std::vector<double> x_, y_;  ///< [local * d] with ghosts
 };
+
+/// The tangent for the matrix-free product where there is one (the consistent form), else the stored one.
+std::unique_ptr<Tangent> make_tangent(const Scene& scene, deck::TangentForm form);
 
 }  // namespace perinox::mechanics

@@ -24,7 +24,7 @@ class TangentSystem {
   /// Brings the preconditioner to the tangent of the last update(). Collective.
   void update_preconditioner();
 
-  const mechanics::Tangent& tangent() const { return tangent_; }
+  const mechanics::Tangent& tangent() const { return *tangent_; }
   Teuchos::RCP<tpetra::Operator> linear_operator() const { return operator_; }
   /// Null if none is asked for.
   Teuchos::RCP<tpetra::Operator> preconditioner() const { return preconditioner_; }
@@ -43,8 +43,9 @@ class TangentSystem {
   const mechanics::Scene& scene_;
   std::vector<char> prescribed_;
   deck::Solver solver_;
-  mechanics::Tangent tangent_;
+  std::unique_ptr<mechanics::Tangent> tangent_;
   Teuchos::RCP<const tpetra::Map> map_;
+  mechanics::StoredTangent* stored_ = nullptr;  ///< the tangent, if it is assembled
   std::unique_ptr<mechanics::AssembledTangent> assembled_;
   Teuchos::RCP<Masked> masked_;
   Teuchos::RCP<BlockJacobi> block_jacobi_;

@@ -1,4 +1,4 @@
-#include "perinox/mechanics/tangent.hpp"
+#include "perinox/mechanics/stored_tangent.hpp"
 
 #include <algorithm>
 
@@ -10,21 +10,21 @@ namespace {
 constexpr std::size_t pool_block_values = std::size_t{1} << 20;
 }
 
-Tangent::Tangent(const Scene& scene)
-    : scene_(scene),
+StoredTangent::StoredTangent(const Scene& scene)
+    : Tangent(scene),
       direction_(static_cast<std::size_t>(scene.bonds().count() * scene.dimension())),
       diagonal_(static_cast<std::size_t>(scene.bonds().count())),
       geometric_(static_cast<std::size_t>(scene.bonds().count())),
       x_(scene.local_unknowns()),
       y_(scene.local_unknowns()) {}
 
-std::size_t Tangent::bytes() const {
+std::size_t StoredTangent::bytes() const {
   std::size_t values = direction_.size() + diagonal_.size() + geometric_.size() + x_.size() + y_.size();
   for (const auto& block : pool_) values += block.size();
   return values * sizeof(double) + terms_.size() * sizeof(Term) + term_begin_.size() * sizeof(std::int64_t);
 }
 
-double* Tangent::keep(const double* values, int count) {
+double* StoredTangent::keep(const double* values, int count) {
   const auto need = static_cast<std::size_t>(count);
   while (pool_block_ < pool_.size() && pool_used_ + need > pool_[pool_block_].size()) {
     ++pool_block_;
@@ -37,7 +37,7 @@ double* Tangent::keep(const double* values, int count) {
   return place;
 }
 
-void Tangent::linearise(const Committed& committed, const double* displacement, deck::TangentForm form) {
+void StoredTangent::linearise(const Committed& committed, const double* displacement, deck::TangentForm form) {
   std::copy(displacement, displacement + scene_.owned_unknowns(), x_.begin());
   scene_.body().halo.update_ghosts(x_.data(), scene_.dimension());
   pool_block_ = pool_used_ = 0;
@@ -50,21 +50,25 @@ void Tangent::linearise(const Committed& committed, const double* displacement, 
 }
 
 template <int d>
-void Tangent::linearise_points(const Committed& committed, deck::TangentForm form) {
+void StoredTangent::linearise_points(const Committed& committed, deck::TangentForm form) {
   const auto largest = static_cast<std::size_t>(scene_.largest_family());
   std::vector<double> extension(largest), stretched(largest), force_state(largest), trial_point, trial_bond;
+  const std::vector<double> plastic = scene_.plastic() ? committed.plastic().per_bond(scene_) : std::vector<double>();
   materials::ModulusState modulus;
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
     const materials::Family family = scene_.family(i);
     const auto first = static_cast<std::size_t>(scene_.bonds().offset[i]);
     family_kinematics<d>(scene_, i, x_.data(), extension.data(), &direction_[first * d], stretched.data());
-    trial_point.resize(static_cast<std::size_t>(scene_.history().point[i + 1] - scene_.history().point[i]));
-    trial_bond.resize(static_cast<std::size_t>(scene_.history().bond[i + 1] - scene_.history().bond[i]));
-    scene_.material(i).respond(family, extension.data(), committed.history(scene_, i), force_state.data(),
+    trial_point.resize(static_cast<std::size_t>(scene_.point_history()[i + 1] - scene_.point_history()[i]));
+    trial_bond.resize(plastic.empty() ? 0 : largest);
+    const materials::CommittedHistory history{committed.point_history(scene_, i),
+                                              plastic.empty() ? nullptr : plastic.data() + first};
+    scene_.material(i).respond(family, extension.data(), history, force_state.data(),
                                {trial_point.data(), trial_bond.data()});
-    scene_.material(i).modulus(family, extension.data(), committed.history(scene_, i), form, modulus);
+    scene_.material(i).modulus(family, extension.data(), history, form, modulus);
     std::copy(modulus.diagonal(), modulus.diagonal() + family.count, &diagonal_[first]);
-    for (int j = 0; j < family.count; ++j) geometric_[first + j] = force_state[j] / stretched[j];
+    for (int j = 0; j < family.count; ++j)
+      geometric_[first + j] = scene_.small_strain() ? 0 : force_state[j] / stretched[j];
     for (int r = 0; r < modulus.rank(); ++r) {
       const materials::ModulusState::Term& term = modulus.term(r);
       if (term.radial) {
@@ -78,7 +82,7 @@ void Tangent::linearise_points(const Committed& committed, deck::TangentForm for
   }
 }
 
-void Tangent::apply(const double* x, double* y) const {
+void StoredTangent::apply(const double* x, double* y) const {
   std::copy(x, x + scene_.owned_unknowns(), x_.begin());
   scene_.body().halo.update_ghosts(x_.data(), scene_.dimension());
   std::fill(y_.begin(), y_.end(), 0.0);
@@ -91,7 +95,7 @@ void Tangent::apply(const double* x, double* y) const {
 }
 
 template <int d>
-void Tangent::apply_points(double* y) const {
+void StoredTangent::apply_points(double* y) const {
   const bonds::Bonds& bonds = scene_.bonds();
   const auto largest = static_cast<std::size_t>(scene_.largest_family());
   std::vector<double> change(largest), relative(largest * d), state_change(largest);
@@ -136,7 +140,7 @@ void Tangent::apply_points(double* y) const {
   }
 }
 
-void Tangent::diagonal_blocks(double* blocks) const {
+void StoredTangent::diagonal_blocks(double* blocks) const {
   const int d = scene_.dimension();
   const auto values = static_cast<std::size_t>(d * d);
   std::vector<double> all(static_cast<std::size_t>(scene_.local()) * values, 0.0);
@@ -149,7 +153,7 @@ void Tangent::diagonal_blocks(double* blocks) const {
 }
 
 template <int d>
-void Tangent::block_points(double* blocks) const {
+void StoredTangent::block_points(double* blocks) const {
   const bonds::Bonds& bonds = scene_.bonds();
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
     const auto first = static_cast<std::size_t>(bonds.offset[i]);

@@ -1,0 +1,16 @@
+# The sweeps over bonds are compiled once for each instruction set and chosen at run time, so that one binary runs anywhere
+# and fast.
+set(kernels "${CMAKE_CURRENT_SOURCE_DIR}/src/mechanics/kernels")
+# Contracting a*b + c is what the accuracy statements of these files assume. GCC 12 warns of its own AVX-512 header
+# (maybe-uninitialized) and of an ABI that only matters across a call that is always inlined (psabi).
+set(kernel_options -O3 -ffp-contract=fast -fno-math-errno -fno-trapping-math -Wno-psabi -Wno-maybe-uninitialized
+                   -Wno-uninitialized)
+set_source_files_properties("${kernels}/baseline.cpp" PROPERTIES COMPILE_OPTIONS "${kernel_options}")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set_source_files_properties("${kernels}/avx2.cpp" PROPERTIES COMPILE_OPTIONS "${kernel_options};-march=x86-64-v3")
+  set_source_files_properties("${kernels}/avx512.cpp" PROPERTIES
+    COMPILE_OPTIONS "${kernel_options};-march=x86-64-v4;-mprefer-vector-width=512")
+  set_source_files_properties("${kernels}/instruction_sets.cpp" PROPERTIES COMPILE_DEFINITIONS PERINOX_X86_KERNELS)
+else()
+  list(FILTER perinox_sources EXCLUDE REGEX "/kernels/avx.*\\.cpp$")
+endif()

@@ -1,0 +1,42 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "perinox/body/body.hpp"
+
+namespace perinox::bonds {
+
+/// The cells of a lattice that this rank's particles lie on, at most one particle a cell. Rows run along x; a row's
+/// cells are padded to a multiple of eight and nothing else is: the cell one step beyond a row's end is another row's,
+/// so whoever steps through the cells must know which bonds there are.
+struct CellGrid {
+  int dimension = 3;
+  double spacing = 0;
+  std::array<std::int64_t, 3> cells{1, 1, 1};  ///< of the box that holds the particles
+  std::int64_t row = 0;                        ///< step from one row to the next
+  std::int64_t plane = 0;                      ///< step from one plane to the next
+  std::vector<std::int64_t> cell;              ///< [local] of each particle
+  std::vector<LocalIndex> particle;            ///< [size()] of each cell; -1: none
+
+  std::int64_t size() const { return static_cast<std::int64_t>(particle.size()); }
+  std::array<std::int64_t, 3> position(std::int64_t c) const { return {c % row, c % plane / row, c / plane}; }
+  /// The particle `step` cells away from position `at`; -1: none, or outside.
+  LocalIndex neighbor(const std::array<std::int64_t, 3>& at, const std::array<int, 3>& step) const {
+    std::int64_t c = 0;
+    const std::int64_t strides[3] = {1, row, plane};
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::int64_t k = at[axis] + step[axis];
+      if (k < 0 || k >= cells[axis]) return -1;
+      c += k * strides[axis];
+    }
+    return particle[c];
+  }
+};
+
+/// The grid, if all particles of this rank, ghosts too, have the same volume V (to 1e-12) and lie on a lattice of
+/// spacing V^(1/d) (to 1e-11 of it, and the rounding of the coordinates), and fill at least a sixteenth of its box.
+std::optional<CellGrid> find_grid(const body::Body& body);
+
+}  // namespace perinox::bonds

@@ -1,0 +1,74 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "perinox/bonds/bonds.hpp"
+#include "perinox/bonds/cell_grid.hpp"
+
+namespace perinox::bonds {
+
+/// One offset of the half stencil: it stands for the bond to the cell `step` further on and for the reverse bond.
+struct StencilOffset {
+  std::array<int, 3> step{};
+  double length = 0;     ///< xi
+  double share = 0;      ///< the quadrature's share of the far volume
+  double influence = 0;  ///< omega(xi)
+};
+
+/// The families of a lattice body without a word a bond: one stencil for all, and for every eight neighbouring cells of
+/// a row that do not have all of its bonds a bit a bond. Bonds between two ghosts are left out.
+class LatticeFamilies {
+ public:
+  /// Eight cells of a row with at least one bond of the half stencil.
+  struct Block {
+    std::int64_t cell = 0;
+    std::int64_t mask = -1;  ///< first of its offsets().size() masks; -1: every bond is there
+  };
+
+  LatticeFamilies(const body::Body& body, CellGrid grid);
+  /// To be called for every owned particle; then complete().
+  void receive(LocalIndex i, const std::vector<FoundBond>& family);
+  void complete();
+
+  const CellGrid& grid() const { return grid_; }
+  double volume() const { return volume_; }
+  const std::vector<StencilOffset>& offsets() const { return offsets_; }
+  /// Blocks whose bonds join owned particles only come first: [0, interior()).
+  const std::vector<Block>& blocks() const { return blocks_; }
+  std::size_t interior() const { return interior_; }
+  const std::vector<std::uint8_t>& masks() const { return masks_; }
+  std::size_t bytes() const;
+
+  /// A bond as the sweeps see it.
+  struct Place {
+    LocalIndex neighbor;
+    std::size_t block;  ///< index into blocks()
+    int lane;
+    int offset;
+    bool far;  ///< true: the particle is the far end, the bond is the reverse of the offset
+  };
+  /// All bonds of particle i, in no particular order. Replaces what is in `places`.
+  void places(LocalIndex i, std::vector<Place>& places) const;
+
+ private:
+  static constexpr int lanes = 8;
+  int number_of(const std::array<int, 3>& step);
+  bool bond(std::int64_t cell, int offset) const;
+
+  CellGrid grid_;
+  double volume_ = 0;
+  int owned_ = 0;
+  std::vector<StencilOffset> offsets_;
+  std::vector<Block> blocks_;
+  std::vector<std::uint8_t> masks_;
+  std::vector<int> block_of_;  ///< [grid size/8] index into blocks_; -1
+  std::size_t interior_ = 0;
+
+  // While the families come in.
+  std::vector<std::vector<std::uint8_t>> bits_;  ///< [offset][grid size/8]
+  std::vector<std::uint8_t> touches_ghost_;      ///< [grid size/8]
+  int reach_ = 0;
+  std::vector<int> numbers_;  ///< [(2 reach + 1)^3] number of an offset, -1 not met yet
+};
+
+}  // namespace perinox::bonds

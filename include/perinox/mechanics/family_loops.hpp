@@ -1,0 +1,58 @@
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "perinox/mechanics/plastic_extension.hpp"
+#include "perinox/mechanics/scene.hpp"
+
+namespace perinox::mechanics {
+
+/// Sums over the families, one value an owned particle: what materials::FamilySums holds.
+struct StrainSums {
+  std::vector<double> extension, plastic, square;
+};
+
+/// Coefficients of every owned particle's tangent: see materials::PointState and PointModulus. [owned] each.
+struct TangentLaw {
+  std::vector<double> radial, shear;  ///< of the force state: t = omega (radial xi + shear (e - e_p))
+  std::vector<double> mean;           ///< theta/d
+  std::vector<double> dilatation;     ///< coefficient of (omega xi)(omega xi . de)
+  std::vector<double> flow;           ///< coefficient of q (q . de)
+};
+
+/// The loops over the bonds of one scene, and their arrays: internal force, tangent product, diagonal blocks, growth of
+/// plastic extension, all on the same sweeps. What an elastic or a small-strain scene does not need is not in its
+/// loops. Arrays with "local" hold ghosts too; those of ghosts' families are other ranks' business.
+class FamilyLoops {
+ public:
+  static std::unique_ptr<FamilyLoops> make(const Scene& scene);
+  virtual ~FamilyLoops() = default;
+
+  /// Strains at displacement [local * dimension], ghosts up to date. shift: [owned], subtracted as FamilySums has it.
+  /// The displacement is kept for forces().
+  virtual void strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
+                           StrainSums& sums) = 0;
+  /// Internal force at the displacement of the last strain_sums: [local * dimension], what this rank's families exert
+  /// on owned particles and on ghosts.
+  virtual void forces(const double* radial, const double* shear, const PlasticExtension& plastic, double* force) = 0;
+
+  /// Keeps the state that the next products are taken at. displacement: [local * dimension], ghosts up to date. The
+  /// plastic extension is read by every product: it has to stay.
+  virtual void linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) = 0;
+  /// y = K x. x, y: [owned * dimension]. Collective; the halo's messages travel while bonds without ghosts are worked
+  /// on.
+  virtual void product(const double* x, double* y) = 0;
+  /// Diagonal blocks, row-major: [local * dimension^2], this rank's families' share.
+  virtual void diagonal_blocks(const TangentLaw& law, double* blocks) = 0;
+
+  /// e_p += flow (e - mean xi - e_p) for the families that flow. displacement: [local * dimension]; mean, flow:
+  /// [owned].
+  virtual void advance(const double* displacement, const double* mean, const double* flow,
+                       PlasticExtension& plastic) = 0;
+
+  /// Bytes of the arrays held here.
+  virtual std::size_t bytes() const = 0;
+};
+
+}  // namespace perinox::mechanics

@@ -1,0 +1,25 @@
+#pragma once
+#include "perinox/mechanics/family_loops.hpp"
+#include "perinox/mechanics/tangent.hpp"
+
+namespace perinox::mechanics {
+
+/// The consistent tangent without a word a bond: the displacement, and five coefficients a particle. Directions and
+/// force states are recomputed by every product. Linearising at the state of the last internal force costs no sweep.
+class MatrixFreeTangent : public Tangent {
+ public:
+  explicit MatrixFreeTangent(const Scene& scene);
+
+  /// Throws std::logic_error for the printed form, whose third term is none of a point.
+  void linearise(const Committed& committed, const double* displacement, deck::TangentForm form) override;
+  void apply(const double* x, double* y) const override { loops_->product(x, y); }
+  void diagonal_blocks(double* blocks) const override;
+  std::size_t bytes() const override;
+
+ private:
+  std::unique_ptr<FamilyLoops> loops_;
+  TangentLaw law_;
+  std::shared_ptr<const PlasticExtension> plastic_;
+};
+
+}  // namespace perinox::mechanics

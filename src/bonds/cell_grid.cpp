@@ -1,0 +1,63 @@
+#include "perinox/bonds/cell_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "perinox/body/spacing.hpp"
+
+namespace perinox::bonds {
+
+namespace {
+constexpr std::int64_t lanes = 8;  // of the widest vectors
+constexpr double emptiest = 16;    // cells a particle
+}  // namespace
+
+std::optional<CellGrid> find_grid(const body::Body& body) {
+  const int local = body.local();
+  if (local == 0) return std::nullopt;
+  const int d = body.dimension;
+  CellGrid grid;
+  grid.dimension = d;
+  grid.spacing = body::edge_of(body.volume[0], d);
+  const double h = grid.spacing;
+  const double tiny = 1e-12 * body.volume[0];
+  for (const double volume : body.volume)
+    if (std::abs(volume - body.volume[0]) > tiny) return std::nullopt;
+
+  std::array<double, 3> low{}, high{};
+  for (int c = 0; c < d; ++c) low[c] = high[c] = body.reference[c];
+  for (int i = 0; i < local; ++i)
+    for (int c = 0; c < d; ++c) {
+      low[c] = std::min(low[c], body.position(i)[c]);
+      high[c] = std::max(high[c], body.position(i)[c]);
+    }
+  double box = 1;
+  for (int c = 0; c < d; ++c) {
+    const double extent = std::round((high[c] - low[c]) / h) + 1;
+    box *= extent;
+    if (!(box <= emptiest * local + 4096)) return std::nullopt;
+    grid.cells[c] = static_cast<std::int64_t>(extent);
+  }
+  grid.row = (grid.cells[0] + lanes - 1) / lanes * lanes;
+  grid.plane = grid.row * grid.cells[1];
+  grid.particle.assign(static_cast<std::size_t>(grid.plane * grid.cells[2]), -1);
+  grid.cell.resize(static_cast<std::size_t>(local));
+  const std::int64_t strides[3] = {1, grid.row, grid.plane};
+  for (int i = 0; i < local; ++i) {
+    std::int64_t cell = 0;
+    for (int c = 0; c < d; ++c) {
+      const double x = body.position(i)[c];
+      const double steps = std::round((x - low[c]) / h);
+      const double rounding = 8 * std::numeric_limits<double>::epsilon() * (std::abs(x) + std::abs(low[c]));
+      if (std::abs(x - low[c] - steps * h) > 1e-11 * h + rounding) return std::nullopt;
+      cell += static_cast<std::int64_t>(steps) * strides[c];
+    }
+    if (grid.particle[cell] >= 0) return std::nullopt;
+    grid.particle[cell] = i;
+    grid.cell[i] = cell;
+  }
+  return grid;
+}
+
+}  // namespace perinox::bonds

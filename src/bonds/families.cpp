@@ -1,0 +1,244 @@
+#include "perinox/bonds/families.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "perinox/body/neighbor_search.hpp"
+#include "perinox/body/spacing.hpp"
+#include "perinox/body/together.hpp"
+#include "perinox/bonds/crack_surface.hpp"
+
+namespace perinox::bonds {
+
+namespace {
+
+/// The rule that makes bonds, with what it needs of the particles.
+class Rule {
+ public:
+  Rule(const deck::Deck& deck, const body::Body& body, double horizon) : deck_(deck), body_(body), horizon_(horizon) {
+    edge_.reserve(body.volume.size());
+    for (const double volume : body.volume) edge_.push_back(body::edge_of(volume, body.dimension));
+  }
+
+  bool may_bond(LocalIndex i, LocalIndex j) const {
+    return i != j && (deck_.bond_bodies || body_.part[i] == body_.part[j]);
+  }
+  FoundBond bond(LocalIndex i, LocalIndex j) const {
+    const double *a = body_.position(i), *b = body_.position(j);
+    double squared = 0;
+    for (int c = 0; c < body_.dimension; ++c) squared += (b[c] - a[c]) * (b[c] - a[c]);
+    return bond(j, std::sqrt(squared), (edge_[i] + edge_[j]) / 2);
+  }
+  FoundBond bond(LocalIndex j, double length, double spacing) const {
+    const double share = volume_share(deck_.quadrature, length, horizon_, spacing);
+    return {j, length, share * body_.volume[j], influence_value(deck_.influence, length, horizon_)};
+  }
+
+ private:
+  const deck::Deck& deck_;
+  const body::Body& body_;
+  double horizon_;
+  std::vector<double> edge_;  ///< [owned + ghosts] V^(1/d), length
+};
+
+/// Its contribution to the weighted volume; a bond without one carries nothing and is left out.
+double moment(const FoundBond& bond) { return bond.influence * bond.length * bond.length * bond.weight; }
+
+/// Possible bonds of a particle, in ascending id of the neighbour.
+class Candidates {
+ public:
+  virtual ~Candidates() = default;
+  virtual void find(LocalIndex i, std::vector<FoundBond>& found) = 0;
+};
+
+/// By a k-d tree.
+class Search : public Candidates {
+ public:
+  Search(const body::Body& body, const Rule& rule, double reach)
+      : body_(body), rule_(rule), reach_(reach), tree_(body.reference, body.dimension) {}
+  void find(LocalIndex i, std::vector<FoundBond>& found) override {
+    found.clear();
+    tree_.within(body_.position(i), reach_, near_);
+    if (body_.ghosts > 0)
+      std::sort(near_.begin(), near_.end(), [&](LocalIndex a, LocalIndex b) { return body_.id[a] < body_.id[b]; });
+    for (const LocalIndex j : near_) {
+      if (!rule_.may_bond(i, j)) continue;
+      const FoundBond bond = rule_.bond(i, j);
+      if (moment(bond) > 0) found.push_back(bond);
+    }
+  }
+
+ private:
+  const body::Body& body_;
+  const Rule& rule_;
+  double reach_;
+  body::NeighborSearch tree_;
+  std::vector<LocalIndex> near_;
+};
+
+/// On a lattice every particle has the same candidates: the bonds are worked out once.
+class Stencil : public Candidates {
+ public:
+  Stencil(const body::Body& body, const Rule& rule, double reach, const CellGrid& grid)
+      : body_(body), rule_(rule), grid_(grid) {
+    const int r = static_cast<int>(reach / grid.spacing * (1 + 1e-10));
+    const int flat = grid.dimension == 3 ? r : 0;
+    for (int z = -flat; z <= flat; ++z)
+      for (int y = -r; y <= r; ++y)
+        for (int x = -r; x <= r; ++x) {
+          if (x == 0 && y == 0 && z == 0) continue;
+          const double length = grid.spacing * std::sqrt(static_cast<double>(x * x + y * y + z * z));
+          if (length > reach * (1 + 1e-10)) continue;
+          const FoundBond bond = rule.bond(0, length, grid.spacing);
+          if (moment(bond) <= 0) continue;
+          steps_.push_back({x, y, z});
+          bonds_.push_back(bond);
+        }
+  }
+  void find(LocalIndex i, std::vector<FoundBond>& found) override {
+    found.clear();
+    const auto at = grid_.position(grid_.cell[i]);
+    bool ascending = true;
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+      const LocalIndex j = grid_.neighbor(at, steps_[k]);
+      if (j < 0 || !rule_.may_bond(i, j)) continue;
+      ascending = ascending && (found.empty() || body_.id[found.back().neighbor] < body_.id[j]);
+      found.push_back(bonds_[k]);
+      found.back().neighbor = j;
+    }
+    if (ascending) return;
+    std::sort(found.begin(), found.end(),
+              [&](const FoundBond& a, const FoundBond& b) { return body_.id[a.neighbor] < body_.id[b.neighbor]; });
+  }
+
+ private:
+  const body::Body& body_;
+  const Rule& rule_;
+  const CellGrid& grid_;
+  std::vector<std::array<int, 3>> steps_;
+  std::vector<FoundBond> bonds_;
+};
+
+/// The pre-cracks, and how many bonds each has cut.
+class Cracks {
+ public:
+  Cracks(const deck::Deck& deck, const body::Body& body, double horizon, double reach) : deck_(deck), body_(body) {
+    for (const deck::Crack& crack : deck.cracks) {
+      surfaces_.emplace_back(crack, 1e-9 * horizon);
+      cut_by_.push_back(0);
+    }
+    reach_ = reach * (1 + 1e-6);
+  }
+  /// Which surfaces come near particle i.
+  void approach(LocalIndex i) {
+    near_.clear();
+    for (std::size_t k = 0; k < surfaces_.size(); ++k)
+      if (surfaces_[k].within(body_.position3(i), reach_)) near_.push_back(k);
+  }
+  bool cut(LocalIndex i, LocalIndex j) {
+    bool any = false;
+    for (const std::size_t k : near_) {
+      if (!surfaces_[k].cuts(body_.position3(i), body_.position3(j))) continue;
+      ++cut_by_[k];
+      any = true;
+    }
+    return any;
+  }
+  void refuse_idle() const {
+    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+      if (body_.communicator.sum(cut_by_[k]) > 0) continue;
+      deck::refuse(deck_.cracks[k].location,
+                   "this crack cuts no bond; move it into the body, make it larger than the "
+                   "spacing, or take it out");
+    }
+  }
+
+ private:
+  const deck::Deck& deck_;
+  const body::Body& body_;
+  double reach_ = 0;
+  std::vector<CrackSurface> surfaces_;
+  std::vector<long long> cut_by_;
+  std::vector<std::size_t> near_;
+};
+
+/// The first particle without a family cannot carry any force: the system would be singular.
+void refuse_lonely(const deck::Deck& deck, const body::Body& body, const Families& families) {
+  std::string sentence;
+  deck::Location where;
+  GlobalId id = 0;
+  for (LocalIndex i = 0; i < body.owned && sentence.empty(); ++i) {
+    if (families.size[i] > 0) continue;
+    id = body.id[i];
+    where = deck.body[static_cast<std::size_t>(body.part[i])].location;
+    const deck::Point x = body.position3(i);
+    const std::string who = fmt::format("particle {} at ({:g}, {:g}, {:g})", id, x[0], x[1], x[2]);
+    if (body.total == 1) {
+      sentence = who + " is the only one, so there is no bond; make the spacing smaller or add particles";
+    } else if (families.damage[i] > 0) {
+      sentence = who + " has lost all its bonds to pre-cracks; move the cracks, or make the horizon larger";
+    } else {
+      sentence = fmt::format(
+          "{} has no neighbour {}within the horizon {:g}; make the horizon larger, or take the "
+          "particle out",
+          who, deck.bond_bodies ? "" : "of its own body ", families.horizon);
+    }
+  }
+  body::refuse_first(body.communicator, id, sentence.empty() ? sentence : deck::placed(where, sentence));
+}
+
+}  // namespace
+
+Families find_families(const deck::Deck& deck, const body::Body& body, double horizon, const CellGrid* grid,
+                       const std::vector<LocalIndex>& order, const FamilyReceiver& receive) {
+  Families families;
+  families.horizon = horizon;
+  families.influence = deck.influence;
+  families.continuum_weighted_volume = continuum_weighted_volume(deck.influence, horizon, body.dimension);
+  // A body made by hand has no reach on record; all its particles are at hand.
+  const double within =
+      body.reach > 0 ? body.reach : reach(deck, horizon, body::largest_spacing(deck, body.communicator));
+  if (within < horizon * (1 - 1e-12)) throw std::logic_error("the body was built with a reach below the horizon");
+
+  const Rule rule(deck, body, horizon);
+  std::unique_ptr<Candidates> candidates;
+  if (grid)
+    candidates = std::make_unique<Stencil>(body, rule, within, *grid);
+  else
+    candidates = std::make_unique<Search>(body, rule, within);
+  Cracks cracks(deck, body, horizon, within);
+  const auto owned = static_cast<std::size_t>(body.owned);
+  families.size.resize(owned);
+  families.weighted_volume.resize(owned);
+  families.damage.resize(owned);
+  std::vector<FoundBond> found, whole;
+  for (const LocalIndex i : order) {
+    candidates->find(i, found);
+    cracks.approach(i);
+    double uncut = 0, remaining = 0;
+    whole.clear();
+    for (const FoundBond& bond : found) {
+      uncut += moment(bond);
+      if (cracks.cut(i, bond.neighbor)) {
+        ++families.cut;
+        continue;
+      }
+      remaining += moment(bond);
+      whole.push_back(bond);
+    }
+    families.size[i] = static_cast<int>(whole.size());
+    families.directed += families.size[i];
+    families.weighted_volume[i] = remaining;
+    families.damage[i] = uncut > remaining ? (uncut - remaining) / uncut : 0.0;
+    receive(i, whole);
+  }
+  cracks.refuse_idle();
+  refuse_lonely(deck, body, families);
+  return families;
+}
+
+}  // namespace perinox::bonds

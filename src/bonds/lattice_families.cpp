@@ -1,0 +1,144 @@
+#include "perinox/bonds/lattice_families.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace perinox::bonds {
+
+namespace {
+bool forward(const std::array<int, 3>& step) { return std::tie(step[2], step[1], step[0]) > std::make_tuple(0, 0, 0); }
+// Rows and planes that are worked on together, so that what they share stays in the second-level cache.
+constexpr std::int64_t tile = 8;
+}  // namespace
+
+LatticeFamilies::LatticeFamilies(const body::Body& body, CellGrid grid)
+    : grid_(std::move(grid)), volume_(body.volume[0]), owned_(body.owned) {
+  reach_ = static_cast<int>(body.reach / grid_.spacing * (1 + 1e-10));
+  const auto groups = static_cast<std::size_t>(grid_.size() / lanes);
+  touches_ghost_.assign(groups, 0);
+  block_of_.assign(groups, -1);
+}
+
+int LatticeFamilies::number_of(const std::array<int, 3>& step) {
+  const int largest = std::max({std::abs(step[0]), std::abs(step[1]), std::abs(step[2])});
+  if (largest > reach_ || numbers_.empty()) {  // a body made by hand has no reach on record
+    reach_ = std::max(reach_, largest);
+    const int width = 2 * reach_ + 1;
+    numbers_.assign(static_cast<std::size_t>(width * width * width), -1);
+    for (std::size_t o = 0; o < offsets_.size(); ++o) {
+      const auto& s = offsets_[o].step;
+      numbers_[((s[2] + reach_) * width + s[1] + reach_) * width + s[0] + reach_] = static_cast<int>(o);
+    }
+  }
+  const int width = 2 * reach_ + 1;
+  int& number = numbers_[((step[2] + reach_) * width + step[1] + reach_) * width + step[0] + reach_];
+  if (number < 0) {
+    number = static_cast<int>(offsets_.size());
+    offsets_.push_back({step, 0, 0, 0});
+    bits_.emplace_back(static_cast<std::size_t>(grid_.size() / lanes), std::uint8_t{0});
+  }
+  return number;
+}
+
+void LatticeFamilies::receive(LocalIndex i, const std::vector<FoundBond>& family) {
+  const std::int64_t own = grid_.cell[i];
+  const auto at = grid_.position(own);
+  for (const FoundBond& found : family) {
+    const std::int64_t other = grid_.cell[found.neighbor];
+    const auto to = grid_.position(other);
+    std::array<int, 3> step{};
+    for (int c = 0; c < 3; ++c) step[c] = static_cast<int>(to[c] - at[c]);
+    const bool near = forward(step);
+    if (!near)
+      for (int& s : step) s = -s;
+    const std::int64_t cell = near ? own : other;
+    const int number = number_of(step);
+    StencilOffset& offset = offsets_[number];
+    offset.length = found.length;
+    offset.share = found.weight / volume_;
+    offset.influence = found.influence;
+    bits_[number][cell / lanes] |= static_cast<std::uint8_t>(1u << (cell % lanes));
+    if (found.neighbor >= owned_) touches_ghost_[cell / lanes] = 1;
+  }
+}
+
+void LatticeFamilies::complete() {
+  // Offsets along the row outermost: what one offset adds to a cell is read again only many offsets later, when the
+  // store has left the pipeline.
+  std::vector<std::size_t> order(offsets_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return offsets_[a].step < offsets_[b].step; });
+  std::vector<StencilOffset> sorted;
+  for (const std::size_t o : order) sorted.push_back(offsets_[o]);
+  for (StencilOffset& offset : sorted) {  // the same on every rank and for every body: not as the coordinates round
+    double square = 0;
+    for (const int s : offset.step) square += s * s;
+    offset.length = grid_.spacing * std::sqrt(square);
+  }
+  offsets_ = std::move(sorted);
+
+  const auto groups = static_cast<std::size_t>(grid_.size() / lanes);
+  for (std::size_t g = 0; g < groups; ++g) {
+    bool any = false, all = true;
+    for (const std::size_t o : order) {
+      any = any || bits_[o][g] != 0;
+      all = all && bits_[o][g] == 0xFF;
+    }
+    if (!any) continue;
+    Block block{static_cast<std::int64_t>(g) * lanes, -1};
+    if (!all) {
+      block.mask = static_cast<std::int64_t>(masks_.size());
+      for (const std::size_t o : order) masks_.push_back(bits_[o][g]);
+    }
+    blocks_.push_back(block);
+  }
+  const auto key = [&](const Block& block) {
+    const auto at = grid_.position(block.cell);
+    return std::make_tuple(touches_ghost_[block.cell / lanes], at[2] / tile, at[1] / tile, at[2], at[1], at[0]);
+  };
+  std::sort(blocks_.begin(), blocks_.end(), [&](const Block& a, const Block& b) { return key(a) < key(b); });
+  interior_ = 0;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    block_of_[blocks_[b].cell / lanes] = static_cast<int>(b);
+    if (!touches_ghost_[blocks_[b].cell / lanes]) interior_ = b + 1;
+  }
+  bits_ = {};
+  touches_ghost_ = {};
+  numbers_ = {};
+}
+
+bool LatticeFamilies::bond(std::int64_t cell, int offset) const {
+  const int b = block_of_[cell / lanes];
+  if (b < 0) return false;
+  const Block& block = blocks_[b];
+  return block.mask < 0 || (masks_[block.mask + offset] >> (cell % lanes) & 1) != 0;
+}
+
+void LatticeFamilies::places(LocalIndex i, std::vector<Place>& places) const {
+  places.clear();
+  const std::int64_t own = grid_.cell[i];
+  const auto at = grid_.position(own);
+  for (int o = 0; o < static_cast<int>(offsets_.size()); ++o) {
+    const auto& step = offsets_[o].step;
+    const LocalIndex ahead = grid_.neighbor(at, step);
+    if (ahead >= 0 && bond(own, o))
+      places.push_back(
+          {ahead, static_cast<std::size_t>(block_of_[own / lanes]), static_cast<int>(own % lanes), o, false});
+    const LocalIndex behind = grid_.neighbor(at, {-step[0], -step[1], -step[2]});
+    if (behind < 0) continue;
+    const std::int64_t cell = grid_.cell[behind];
+    if (bond(cell, o))
+      places.push_back(
+          {behind, static_cast<std::size_t>(block_of_[cell / lanes]), static_cast<int>(cell % lanes), o, true});
+  }
+}
+
+std::size_t LatticeFamilies::bytes() const {
+  return grid_.cell.size() * sizeof(std::int64_t) + grid_.particle.size() * sizeof(LocalIndex) +
+         blocks_.size() * sizeof(Block) + masks_.size() + block_of_.size() * sizeof(int);
+}
+
+}  // namespace perinox::bonds

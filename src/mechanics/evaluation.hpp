@@ -1,0 +1,29 @@
+#pragma once
+#include "perinox/mechanics/family_loops.hpp"
+#include "perinox/mechanics/state.hpp"
+
+namespace perinox::mechanics {
+
+/// The strains at the state that was asked for last. The internal force leaves them here and the tangent finds them:
+/// Newton's residual and its tangent at one state cost one kinematic sweep.
+class Evaluation {
+ public:
+  explicit Evaluation(const Scene& scene) : loops_(FamilyLoops::make(scene)) {}
+
+  /// Brings the sums to displacement [owned * dimension]. Collective.
+  void at(const Scene& scene, const Committed& committed, const double* displacement);
+
+  /// Of the state of the last at().
+  materials::FamilySums sums(const Scene& scene, const Committed& committed, LocalIndex i) const;
+  const std::vector<double>& displacement() const { return displacement_; }  ///< [local * dimension]
+
+  FamilyLoops& loops() { return *loops_; }
+
+ private:
+  std::unique_ptr<FamilyLoops> loops_;
+  std::vector<double> displacement_;
+  StrainSums sums_;
+  std::uint64_t version_ = 0;
+};
+
+}  // namespace perinox::mechanics

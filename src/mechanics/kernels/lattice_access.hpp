@@ -1,0 +1,115 @@
+#pragma once
+/// How the sweeps reach the points of a lattice: the lanes of a vector are neighbouring cells of a row.
+#include "vectors.hpp"
+#include "views.hpp"
+
+namespace perinox::mechanics::kernels::PERINOX_KERNELS {
+
+template <bool masked>
+class LatticeAccess {
+ public:
+  PERINOX_INLINE LatticeAccess(const LatticeView& view, double* e_p, std::int64_t here, int o, unsigned mask)
+      : g_(view), o_(view.offsets[o]), e_p_(e_p + 2 * group * o), there_(here + o_.cell), mask_(mask) {
+    // One cache line of plastic extension an end: ask for what comes next before it is needed.
+    if (e_p) {
+      __builtin_prefetch(e_p_ + 2 * group * 14);
+      __builtin_prefetch(e_p_ + 2 * group * 14 + group);
+    }
+  }
+
+  /// The lanes that have a bond; 0 elsewhere.
+  PERINOX_INLINE Vector present(Vector value) const { return masked ? chosen(mask_, value) : value; }
+  PERINOX_INLINE Vector u(int c) const { return load(g_.u[c] + there_); }
+  PERINOX_INLINE Vector x(int c) const { return load(g_.x[c] + there_); }
+  PERINOX_INLINE Vector law(int k) const { return load(g_.law[k] + there_); }
+  PERINOX_INLINE Vector mean() const { return load(g_.mean + there_); }
+
+  /// Bond vector before deformation, or, for a tangent of finite deformation, after.
+  template <bool current>
+  PERINOX_INLINE Vector bond(int c, Vector relative) const {
+    return current ? o_.bond[c] + relative : all(o_.bond[c]);
+  }
+  PERINOX_INLINE double length() const { return o_.length; }
+  PERINOX_INLINE Vector inverse_length() const { return all(o_.inverse); }
+  PERINOX_INLINE Vector inverse_root_of(Vector square) const {
+    return inverse_root(square, o_.inverse * o_.inverse, o_.inverse);
+  }
+  PERINOX_INLINE double pair() const { return o_.pair; }
+  /// Weight of the bond in the sums of the near end, of the far end.
+  PERINOX_INLINE double influence_near() const { return o_.influence; }
+  PERINOX_INLINE double influence_far() const { return o_.influence; }
+  PERINOX_INLINE double volume_near() const { return g_.volume; }
+  PERINOX_INLINE double volume_far() const { return g_.volume; }
+
+  PERINOX_INLINE double* plastic_near() const { return e_p_; }
+  PERINOX_INLINE double* plastic_far() const { return e_p_ + group; }
+
+  template <int count, int first = 0>
+  PERINOX_INLINE void add_far(const Vector* values) const {
+    for (int k = 0; k < count; ++k) {
+      double* to = g_.out[first + k] + there_;
+      store(to, load(to) + values[k]);
+    }
+  }
+
+ private:
+  const LatticeView& g_;
+  const Offset& o_;
+  double* e_p_;
+  std::int64_t there_;
+  unsigned mask_;
+};
+
+/// The near end: a vector of cells.
+class LatticeOwn {
+ public:
+  PERINOX_INLINE LatticeOwn(const LatticeView& view, std::int64_t here) : g_(view), here_(here) {}
+  PERINOX_INLINE Vector u(int c) const { return load(g_.u[c] + here_); }
+  PERINOX_INLINE Vector x(int c) const { return load(g_.x[c] + here_); }
+  PERINOX_INLINE Vector law(int k) const { return load(g_.law[k] + here_); }
+  PERINOX_INLINE Vector mean() const { return load(g_.mean + here_); }
+  template <int count, int first = 0>
+  PERINOX_INLINE void add(const Vector* values) const {
+    for (int k = 0; k < count; ++k) {
+      double* to = g_.out[first + k] + here_;
+      store(to, load(to) + values[k]);
+    }
+  }
+
+ private:
+  const LatticeView& g_;
+  std::int64_t here_;
+};
+
+/// One vector of cells: own values loaded, every offset, own results stored.
+template <class Sweep>
+PERINOX_INLINE void visit_cells(const LatticeView& g, const Block& block, double* e_p, int lane) {
+  const std::int64_t here = block.cell + lane;
+  const LatticeOwn own(g, here);
+  Sweep sweep(own);
+  if (block.mask < 0) {
+    for (int o = 0; o < g.offset_count; ++o) sweep.visit(LatticeAccess<false>(g, e_p, here, o, 0));
+  } else {
+    for (int o = 0; o < g.offset_count; ++o) {
+      const unsigned mask = (static_cast<unsigned>(g.masks[block.mask + o]) >> lane) & ((1u << width) - 1);
+      if (mask) sweep.visit(LatticeAccess<true>(g, e_p, here, o, mask));
+    }
+  }
+  sweep.finish(own);
+}
+
+/// All blocks; those where something has flowed carry the plastic terms.
+template <class Elastic, class Plastic>
+void run(const LatticeView& g) {
+  for (std::int64_t b = 0; b < g.block_count; ++b) {
+    double* e_p = g.plastic ? g.plastic[b] : nullptr;
+    for (int lane = 0; lane < group; lane += width) {
+      if (e_p)
+        visit_cells<Plastic>(g, g.blocks[b], e_p + lane, lane);
+      else
+        visit_cells<Elastic>(g, g.blocks[b], nullptr, lane);
+    }
+  }
+}
+
+}  // namespace perinox::mechanics::kernels::PERINOX_KERNELS

@@ -1,0 +1,307 @@
+#pragma once
+/// The sweeps over bonds. Every pair of particles is visited once: the near end's results stay in registers, the far
+/// end's are added in memory. Directions are recomputed from the displacement: cheaper than reading them. To be
+/// included with PERINOX_KERNELS, the namespace of the instruction set.
+#include "lattice_access.hpp"
+#include "pair_access.hpp"
+
+namespace perinox::mechanics::kernels::PERINOX_KERNELS {
+
+/// A bond shorter than this, over its reference length, is nothing but the rounding of its ends' places.
+constexpr double collapsed = 1e-13;
+
+/// A bond as it stands.
+template <int d>
+struct Pair {
+  Vector bond[d];      ///< Y; small strain: the reference bond
+  Vector relative[d];  ///< U
+  Vector inverse;      ///< 1/|Y|; small strain: 1/xi; 0 in lanes without a bond
+  Vector length;       ///< |Y|; 0 in lanes without a bond
+};
+
+template <int d, bool small, class Access>
+PERINOX_INLINE Pair<d> pair_of(const Access& far, const Vector* u) {
+  Pair<d> p;
+  Vector square = {};
+  for (int c = 0; c < d; ++c) {
+    p.relative[c] = far.u(c) - u[c];
+    p.bond[c] = far.template bond<!small>(c, p.relative[c]);
+    if (!small) square += p.bond[c] * p.bond[c];
+  }
+  p.inverse = far.present(small ? far.inverse_length() : far.inverse_root_of(square));
+  p.length = square * p.inverse;
+  return p;
+}
+
+template <int d>
+PERINOX_INLINE Vector dot(const Vector* a, const Vector* b) {
+  Vector sum = a[0] * b[0];
+  for (int c = 1; c < d; ++c) sum += a[c] * b[c];
+  return sum;
+}
+
+/// Extension without cancellation: (|Y|^2 - xi^2)/(|Y| + xi) with |Y|^2 - xi^2 = (2 Y - U).U.
+template <int d, bool small, class Access>
+PERINOX_INLINE Vector extension(const Pair<d>& p, const Access& far) {
+  if (small) return dot<d>(p.bond, p.relative) * p.inverse;
+  Vector change = {};
+  for (int c = 0; c < d; ++c) change += (2 * p.bond[c] - p.relative[c]) * p.relative[c];
+  return change / (p.length + far.length());
+}
+
+/// The same for the tangent, whose point values only need it to the rounding of |Y|.
+template <int d, bool small, class Access>
+PERINOX_INLINE Vector rounded_extension(const Pair<d>& p, const Access& far) {
+  return small ? dot<d>(p.bond, p.relative) * p.inverse : p.length - far.length();
+}
+
+template <int d, bool small, bool plastic>
+struct StrainSums {
+  Vector u[d], mean, sum[3] = {};
+
+  template <class Own>
+  PERINOX_INLINE explicit StrainSums(const Own& own) : mean(own.mean()) {
+    for (int c = 0; c < d; ++c) u[c] = own.u(c);
+  }
+  template <class Access>
+  PERINOX_INLINE void visit(const Access& far) {
+    const Pair<d> p = pair_of<d, small>(far, u);
+    Vector e = extension<d, small>(p, far);
+    if (!small) {  // a bond that has collapsed has no direction: not a number, which the solver sees and names
+      const Lanes sound = p.length > collapsed * far.length();
+      e = far.present(sound ? e : all(__builtin_nan("")));
+    }
+    const Vector near_weight = far.present(far.influence_near() + Vector{});
+    const Vector far_weight = far.present(far.influence_far() + Vector{});
+    Vector near = e - mean * far.length(), away = e - far.mean() * far.length();
+    Vector to_far[3];
+    sum[0] += near_weight * far.length() * e;
+    to_far[0] = far_weight * far.length() * e;
+    if (plastic) {
+      const Vector near_plastic = load(far.plastic_near()), far_plastic = load(far.plastic_far());
+      sum[2] += near_weight * far.length() * near_plastic;
+      to_far[2] = far_weight * far.length() * far_plastic;
+      near -= near_plastic;
+      away -= far_plastic;
+    }
+    sum[1] += near_weight * near * near;
+    to_far[1] = far_weight * away * away;
+    far.template add_far<plastic ? 3 : 2>(to_far);
+  }
+  template <class Own>
+  PERINOX_INLINE void finish(const Own& own) const {
+    own.template add<plastic ? 3 : 2>(sum);
+  }
+};
+
+template <int d, bool small, bool plastic>
+struct Forces {
+  Vector u[d], radial, shear, force[d] = {};
+
+  template <class Own>
+  PERINOX_INLINE explicit Forces(const Own& own) : radial(own.law(Law::radial)), shear(own.law(Law::shear)) {
+    for (int c = 0; c < d; ++c) u[c] = own.u(c);
+  }
+  template <class Access>
+  PERINOX_INLINE void visit(const Access& far) {
+    const Pair<d> p = pair_of<d, small>(far, u);
+    const Vector far_shear = far.law(Law::shear);
+    Vector t = (radial + far.law(Law::radial)) * far.length() + (shear + far_shear) * extension<d, small>(p, far);
+    if (plastic) t -= shear * load(far.plastic_near()) + far_shear * load(far.plastic_far());
+    t *= far.pair() * p.inverse;
+    Vector to_far[d];
+    for (int c = 0; c < d; ++c) {
+      const Vector pull = t * p.bond[c];
+      force[c] += pull;
+      to_far[c] = -pull;
+    }
+    far.template add_far<d>(to_far);
+  }
+  template <class Own>
+  PERINOX_INLINE void finish(const Own& own) const {
+    own.template add<d>(force);
+  }
+};
+
+template <int d, bool small, bool plastic>
+struct ProductSums {
+  Vector u[d], x[d], sum[2] = {};
+
+  template <class Own>
+  PERINOX_INLINE explicit ProductSums(const Own& own) {
+    for (int c = 0; c < d; ++c) u[c] = own.u(c), x[c] = own.x(c);
+  }
+  template <class Access>
+  PERINOX_INLINE void visit(const Access& far) {
+    const Pair<d> p = pair_of<d, small>(far, u);
+    Vector change = {};
+    for (int c = 0; c < d; ++c) change += p.bond[c] * (far.x(c) - x[c]);
+    change *= p.inverse;
+    const Vector near_weight = far.influence_near() * change, far_weight = far.influence_far() * change;
+    Vector to_far[2];
+    sum[0] += near_weight * far.length();
+    to_far[0] = far_weight * far.length();
+    if (plastic) {
+      const Vector e = rounded_extension<d, small>(p, far);
+      sum[1] += near_weight * (e - load(far.plastic_near()));
+      to_far[1] = far_weight * (e - load(far.plastic_far()));
+    }
+    far.template add_far<plastic ? 2 : 1>(to_far);
+  }
+  template <class Own>
+  PERINOX_INLINE void finish(const Own& own) const {
+    own.template add<plastic ? 2 : 1>(sum);
+  }
+};
+
+/// dT = dt M + (t/|Y|)(dU - M de).
+template <int d, bool small, bool plastic>
+struct ProductForces {
+  Vector u[d], x[d], radial, shear, along, flow = {}, pulled[d] = {};
+
+  template <class Own>
+  PERINOX_INLINE explicit ProductForces(const Own& own)
+      : radial(own.law(Law::radial)), shear(own.law(Law::shear)), along(own.law(Law::along)) {
+    for (int c = 0; c < d; ++c) u[c] = own.u(c), x[c] = own.x(c);
+    if (plastic) flow = own.law(Law::flow);
+  }
+  template <class Access>
+  PERINOX_INLINE void visit(const Access& far) {
+    const Pair<d> p = pair_of<d, small>(far, u);
+    Vector step[d], change = {};
+    for (int c = 0; c < d; ++c) {
+      step[c] = far.x(c) - x[c];
+      change += p.bond[c] * step[c];
+    }
+    change *= p.inverse;
+    const Vector far_shear = far.law(Law::shear), both = shear + far_shear;
+    Vector stiff = both * change + (along + far.law(Law::along)) * far.length();
+    Vector t = {};
+    if (!small || plastic) {
+      const Vector e = rounded_extension<d, small>(p, far);
+      if (!small) t = (radial + far.law(Law::radial)) * far.length() + both * e;
+      if (plastic) {
+        const Vector near_plastic = load(far.plastic_near()), far_plastic = load(far.plastic_far());
+        if (!small) t -= shear * near_plastic + far_shear * far_plastic;
+        stiff += flow * (e - near_plastic) + far.law(Law::flow) * (e - far_plastic);
+      }
+    }
+    const Vector weight = far.pair() * p.inverse;
+    t *= weight;
+    const Vector straight = stiff * weight - t * change * p.inverse;
+    Vector to_far[d];
+    for (int c = 0; c < d; ++c) {
+      to_far[c] = straight * p.bond[c];
+      if (!small) to_far[c] += t * step[c];
+      pulled[c] -= to_far[c];
+    }
+    far.template add_far<d>(to_far);
+  }
+  template <class Own>
+  PERINOX_INLINE void finish(const Own& own) const {
+    own.template add<d>(pulled);
+  }
+};
+
+template <int d, bool small, bool plastic>
+struct DiagonalBlocks {
+  static constexpr int entries = d * (d + 1) / 2;
+  static constexpr int results = entries + d + (plastic ? d : 0);
+  Vector u[d], radial, shear, mean, along, flow, result[12] = {};
+
+  template <class Own>
+  PERINOX_INLINE explicit DiagonalBlocks(const Own& own)
+      : radial(own.law(Law::radial)),
+        shear(own.law(Law::shear)),
+        mean(own.mean()),
+        along(own.law(Law::along)),
+        flow(own.law(Law::flow)) {
+    for (int c = 0; c < d; ++c) u[c] = own.u(c);
+  }
+  template <class Access>
+  PERINOX_INLINE void visit(const Access& far) {
+    const Pair<d> p = pair_of<d, small>(far, u);
+    Vector m[d];
+    for (int c = 0; c < d; ++c) m[c] = p.bond[c] * p.inverse;
+    const Vector far_shear = far.law(Law::shear), both = shear + far_shear;
+    const Vector e = rounded_extension<d, small>(p, far);
+    Vector near = e, away = e, t = {};
+    if (plastic) near -= load(far.plastic_near()), away -= load(far.plastic_far());
+    if (!small)
+      t = ((radial + far.law(Law::radial)) * far.length() + shear * near + far_shear * away) * far.pair() * p.inverse;
+    // An end's own entry in the other end's rank-one terms.
+    const Vector near_state = far.influence_near() * far.length() + Vector{};
+    const Vector far_state = far.influence_far() * far.length() + Vector{};
+    const Vector straight = both * far.pair() - t;
+    Vector to_far = straight + along * near_state * near_state * far.volume_near();
+    Vector to_near = straight + far.law(Law::along) * far_state * far_state * far.volume_far();
+    if (plastic) {
+      near = far.influence_near() * (near - mean * far.length());
+      away = far.influence_far() * (away - far.mean() * far.length());
+      to_far += flow * near * near * far.volume_near();
+      to_near += far.law(Law::flow) * away * away * far.volume_far();
+    }
+    Vector other[12] = {};
+    int k = 0;
+    for (int c = 0; c < d; ++c, ++k) {
+      result[k] += far.present(to_near * m[c] * m[c] + t);
+      other[k] = far.present(to_far * m[c] * m[c] + t);
+    }
+    for (int c = 0; c < d; ++c)
+      for (int b = c + 1; b < d; ++b, ++k) {
+        result[k] += to_near * m[c] * m[b];
+        other[k] = to_far * m[c] * m[b];
+      }
+    for (int c = 0; c < d; ++c, ++k) {
+      result[k] += near_state * m[c];
+      other[k] = -far_state * m[c];
+    }
+    if (plastic)
+      for (int c = 0; c < d; ++c, ++k) {
+        result[k] += near * m[c];
+        other[k] = -away * m[c];
+      }
+    far.template add_far<results>(other);
+  }
+  template <class Own>
+  PERINOX_INLINE void finish(const Own& own) const {
+    own.template add<results>(result);
+  }
+};
+
+template <int d, bool small, bool plastic>
+struct Advance {
+  Vector u[d], mean, flow;
+
+  template <class Own>
+  PERINOX_INLINE explicit Advance(const Own& own) : mean(own.mean()), flow(own.law(Law::flow)) {
+    for (int c = 0; c < d; ++c) u[c] = own.u(c);
+  }
+  template <class Access>
+  PERINOX_INLINE void visit(const Access& far) {
+    if (!plastic) return;
+    const Pair<d> p = pair_of<d, small>(far, u);
+    const Vector e = extension<d, small>(p, far);
+    const Vector near = load(far.plastic_near()), away = load(far.plastic_far());
+    store(far.plastic_near(), near + far.present(flow * (e - mean * far.length() - near)));
+    store(far.plastic_far(), away + far.present(far.law(Law::flow) * (e - far.mean() * far.length() - away)));
+  }
+  template <class Own>
+  PERINOX_INLINE void finish(const Own&) const {}
+};
+
+template <template <int, bool, bool> class Sweep, class View>
+void choose(const View& g, int dimension, bool small) {
+  if (dimension == 3)
+    small ? run<Sweep<3, true, false>, Sweep<3, true, true>>(g) : run<Sweep<3, false, false>, Sweep<3, false, true>>(g);
+  else
+    small ? run<Sweep<2, true, false>, Sweep<2, true, true>>(g) : run<Sweep<2, false, false>, Sweep<2, false, true>>(g);
+}
+
+template <class View>
+Sweeps<View> all_sweeps() {
+  return {choose<StrainSums, View>,    choose<Forces, View>,         choose<ProductSums, View>,
+          choose<ProductForces, View>, choose<DiagonalBlocks, View>, choose<Advance, View>};
+}
+
+}  // namespace perinox::mechanics::kernels::PERINOX_KERNELS

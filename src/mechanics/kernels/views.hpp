@@ -1,0 +1,93 @@
+#pragma once
+/// What the sweeps over bonds see: plain pointers. The sweeps are compiled once for each instruction set, so these
+/// headers include nothing that could leave an inline function of the standard library compiled for the wrong machine.
+#include <cstdint>
+
+namespace perinox::mechanics::kernels {
+
+/// Cells of a block of lattice cells, pairs of a group: the lanes of the widest vector.
+constexpr int group = 8;
+
+/// One offset of the half stencil. It stands for the bond to the cell `cell` further on and for the reverse bond.
+struct Offset {
+  std::int64_t cell = 0;
+  double bond[3] = {};   ///< reference bond vector, length
+  double length = 0;     ///< xi
+  double inverse = 0;    ///< 1/xi
+  double pair = 0;       ///< omega s V^2, s the quadrature's share of the volume
+  double radial = 0;     ///< omega xi s V
+  double influence = 0;  ///< omega s V
+};
+
+/// Eight cells of a row with at least one bond of the half stencil.
+struct Block {
+  std::int64_t cell = 0;
+  std::int64_t mask = -1;  ///< first of the block's masks, one byte an offset, one bit a lane; -1: every bond is there
+};
+
+/// Bonds of a lattice. Point values are one array a component over the cells, zero where no particle is.
+struct LatticeView {
+  const Offset* offsets = nullptr;
+  int offset_count = 0;
+  const Block* blocks = nullptr;
+  std::int64_t block_count = 0;
+  const std::uint8_t* masks = nullptr;
+  /// [blocks] plastic extension, [offsets][near end's family, far end's][group]; null where neither end has flowed yet.
+  /// Null as a whole: nothing has flowed anywhere.
+  double* const* plastic = nullptr;
+  double volume = 0;
+
+  const double* u[3] = {};       ///< displacement
+  const double* x[3] = {};       ///< what a product is taken with
+  const double* law[4] = {};     ///< Law below
+  const double* mean = nullptr;  ///< theta/d, of the shift or of the state
+  double* out[12] = {};
+};
+
+/// Bonds of any body, as pairs kept with their near end. Point values are four doubles a slot.
+struct PairView {
+  const std::int32_t* slots = nullptr;  ///< [slot_count] near ends to visit
+  std::int64_t slot_count = 0;
+  const std::int64_t* begin = nullptr;  ///< [slot] first pair
+  const std::int32_t* far = nullptr;    ///< [pairs] slot of the far end
+  const double* length = nullptr;       ///< [pairs]
+  const double* weight = nullptr;       ///< [pairs] omega s; null: 1
+  double* const* plastic = nullptr;     ///< [slots] plastic extension, [pairs/group][near, far][group]; null as above
+
+  const double* place = nullptr;  ///< reference position, then volume; for the tangent of finite deformation: position
+  const double* u = nullptr;      ///< displacement, then mean
+  const double* x = nullptr;
+  const double* law = nullptr;
+  double* out[3] = {};  ///< results 0-3, 4-7, 8-11
+};
+
+/// Point values of the law, t = omega (radial xi + shear (e - e_p)).
+enum Law {
+  radial = 0,
+  shear = 1,
+  along = 2,  ///< product: c1 Theta - mean c2 Q; diagonal blocks: c1
+  flow = 3    ///< product: c2 Q; diagonal blocks: c2; advance: share of the elastic part that flows
+};
+
+/// The sweeps of one instruction set. `small`: bonds keep their reference direction.
+template <class View>
+struct Sweeps {
+  using Sweep = void (*)(const View&, int dimension, bool small);
+  /// out: (omega xi) . e; sum omega (e - e_p - mean xi)^2 weight; (omega xi) . e_p.
+  Sweep strain_sums = nullptr;
+  /// out: internal force.
+  Sweep forces = nullptr;
+  /// out: (omega xi) . de; (omega (e - e_p)) . de.
+  Sweep product_sums = nullptr;
+  /// out: K x.
+  Sweep product_forces = nullptr;
+  /// out: the diagonal block without the particle's own rank-one terms, xx yy zz xy xz yz (2-D: xx yy xy);
+  /// then sum omega xi weight M and sum omega (e - e_p - mean xi) weight M.
+  Sweep diagonal_blocks = nullptr;
+  /// Writes through the view's plastic extension: e_p += flow (e - mean xi - e_p).
+  Sweep advance = nullptr;
+};
+using LatticeSweeps = Sweeps<LatticeView>;
+using PairSweeps = Sweeps<PairView>;
+
+}  // namespace perinox::mechanics::kernels

@@ -1,0 +1,273 @@
+#include "lattice_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "block_entries.hpp"
+
+namespace perinox::mechanics {
+
+namespace {
+constexpr std::int64_t line = 8;      // doubles a cache line
+constexpr std::int64_t stagger = 24;  // doubles between the places of a page where consecutive arrays begin
+}  // namespace
+
+void GridArrays::allocate(int count, std::int64_t cells, std::int64_t guard) {
+  cells_ = cells;
+  const std::int64_t room = (guard + line) / line * line;
+  const std::int64_t length = (cells + 2 * room + 511) / 512 * 512 + stagger;
+  memory_.assign(static_cast<std::size_t>(count * length + line), 0.0);
+  auto* first = memory_.data();
+  while (reinterpret_cast<std::uintptr_t>(first) % 64 != 0) ++first;
+  start_.clear();
+  for (int k = 0; k < count; ++k) start_.push_back(first + k * length + room);
+}
+
+void GridArrays::clear(int k) { std::fill_n(start_[k], cells_, 0.0); }
+
+LatticeLoops::LatticeLoops(const Scene& scene)
+    : families_(*scene.lattice()),
+      halo_(scene.body().halo),
+      d_(scene.dimension()),
+      owned_(scene.owned()),
+      local_(scene.local()),
+      small_(scene.small_strain()) {
+  const bonds::CellGrid& grid = families_.grid();
+  const double volume = families_.volume();
+  for (const bonds::StencilOffset& offset : families_.offsets()) {
+    kernels::Offset o;
+    o.cell = offset.step[0] + offset.step[1] * grid.row + offset.step[2] * grid.plane;
+    for (int c = 0; c < 3; ++c) o.bond[c] = offset.step[c] * grid.spacing;
+    o.length = offset.length;
+    o.inverse = 1 / offset.length;
+    o.influence = offset.influence * offset.share * volume;
+    o.radial = o.influence * offset.length;
+    o.pair = o.influence * volume;
+    offsets_.push_back(o);
+    guard_ = std::max(guard_, std::abs(o.cell) + line);
+  }
+  for (const auto& block : families_.blocks()) blocks_.push_back({block.cell, block.mask});
+}
+
+std::size_t LatticeLoops::bytes() const {
+  return u_.bytes() + x_.bytes() + law_.bytes() + mean_.bytes() + out_.bytes() +
+         (dilatation_.size() + flow_.size() + ghosts_.size()) * sizeof(double) +
+         blocks_.size() * sizeof(kernels::Block);
+}
+
+void LatticeLoops::require(GridArrays& arrays, int count) {
+  if (arrays.empty()) arrays.allocate(count, families_.grid().size(), guard_);
+}
+
+kernels::LatticeView LatticeLoops::view(double* const* plastic, Range range) const {
+  const std::size_t first = range == boundary ? families_.interior() : 0;
+  const std::size_t last = range == interior ? families_.interior() : blocks_.size();
+  kernels::LatticeView view;
+  view.offsets = offsets_.data();
+  view.offset_count = static_cast<int>(offsets_.size());
+  view.blocks = blocks_.data() + first;
+  view.block_count = static_cast<std::int64_t>(last - first);
+  view.masks = families_.masks().data();
+  view.plastic = plastic ? plastic + first : nullptr;
+  view.volume = families_.volume();
+  return view;
+}
+
+void LatticeLoops::put(const double* values, int components, int first, int last, GridArrays& arrays, int array) const {
+  const std::vector<std::int64_t>& cell = families_.grid().cell;
+  for (int c = 0; c < components; ++c) {
+    double* to = arrays[array + c];
+    for (int i = first; i < last; ++i) to[cell[i]] = values[static_cast<std::size_t>(i) * components + c];
+  }
+}
+
+void LatticeLoops::take(GridArrays& arrays, int array, int components, int first, int last, double* values) const {
+  const std::vector<std::int64_t>& cell = families_.grid().cell;
+  for (int c = 0; c < components; ++c) {
+    const double* from = arrays[array + c];
+    for (int i = first; i < last; ++i) values[static_cast<std::size_t>(i) * components + c] = from[cell[i]];
+  }
+}
+
+void LatticeLoops::sweep(kernels::LatticeSweeps::Sweep run, kernels::LatticeView view) const { run(view, d_, small_); }
+
+void LatticeLoops::strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
+                               StrainSums& sums) {
+  require(u_, d_);
+  require(mean_, 1);
+  require(out_, 3);
+  put(displacement, d_, 0, local_, u_, 0);
+  put(shift, 1, 0, owned_, mean_, 0);
+  const bool flowed = plastic.chunks() != nullptr;
+  kernels::LatticeView g = view(plastic.chunks(), every);
+  for (int c = 0; c < d_; ++c) g.u[c] = u_[c];
+  g.mean = mean_[0];
+  for (int k = 0; k < 3; ++k) {
+    out_.clear(k);
+    g.out[k] = out_[k];
+  }
+  sweep(kernels::sweeps().lattice.strain_sums, g);
+  const auto owned = static_cast<std::size_t>(owned_);
+  sums.extension.resize(owned);
+  sums.square.resize(owned);
+  sums.plastic.resize(flowed ? owned : 0);
+  take(out_, 0, 1, 0, owned_, sums.extension.data());
+  take(out_, 1, 1, 0, owned_, sums.square.data());
+  if (flowed) take(out_, 2, 1, 0, owned_, sums.plastic.data());
+}
+
+void LatticeLoops::forces(const double* radial, const double* shear, const PlasticExtension& plastic, double* force) {
+  require(law_, 2);
+  put(radial, 1, 0, owned_, law_, kernels::radial);
+  put(shear, 1, 0, owned_, law_, kernels::shear);
+  kernels::LatticeView g = view(plastic.chunks(), every);
+  for (int c = 0; c < d_; ++c) {
+    g.u[c] = u_[c];
+    out_.clear(c);
+    g.out[c] = out_[c];
+  }
+  g.law[kernels::radial] = law_[kernels::radial];
+  g.law[kernels::shear] = law_[kernels::shear];
+  sweep(kernels::sweeps().lattice.forces, g);
+  take(out_, 0, d_, 0, local_, force);
+}
+
+void LatticeLoops::linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) {
+  require(u_, d_);
+  require(x_, d_);
+  require(law_, 4);
+  require(mean_, 1);
+  require(out_, std::max(d_, 2));
+  put(displacement, d_, 0, local_, u_, 0);
+  put(law.radial.data(), 1, 0, owned_, law_, kernels::radial);
+  put(law.shear.data(), 1, 0, owned_, law_, kernels::shear);
+  put(law.mean.data(), 1, 0, owned_, mean_, 0);
+  const std::vector<std::int64_t>& cell = families_.grid().cell;
+  const auto cells = static_cast<std::size_t>(families_.grid().size());
+  const bool flows = std::any_of(law.flow.begin(), law.flow.end(), [](double flow) { return flow != 0; });
+  dilatation_.assign(cells, 0.0);
+  flow_.assign(flows ? cells : 0, 0.0);
+  for (int i = 0; i < owned_; ++i) {
+    dilatation_[cell[i]] = law.dilatation[i];
+    if (flows) flow_[cell[i]] = law.flow[i];
+  }
+  plastic_.clear();
+  if (plastic.chunks()) plastic_.assign(plastic.chunks(), plastic.chunks() + blocks_.size());
+  if (!flows) {
+    law_.clear(kernels::flow);
+    return;
+  }
+  // A family that flows for the first time has its rank-one term already, and no plastic extension yet.
+  plastic_.resize(blocks_.size(), nullptr);
+  none_.assign(offsets_.size() * 2 * kernels::group, 0.0);
+  put(law.flow.data(), 1, 0, owned_, law_, kernels::flow);
+  const std::vector<char> flowing = flowing_blocks(law_[kernels::flow]);
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    if (flowing[b] && !plastic_[b]) plastic_[b] = none_.data();
+}
+
+std::vector<char> LatticeLoops::flowing_blocks(const double* flow) const {
+  const auto any = [&](std::int64_t cell) {
+    for (std::int64_t lane = 0; lane < kernels::group; ++lane)
+      if (flow[cell + lane] != 0) return true;
+    return false;
+  };
+  std::vector<char> flowing(blocks_.size(), 0);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    bool found = any(blocks_[b].cell);
+    for (std::size_t o = 0; o < offsets_.size() && !found; ++o) found = any(blocks_[b].cell + offsets_[o].cell);
+    flowing[b] = found ? 1 : 0;
+  }
+  return flowing;
+}
+
+void LatticeLoops::product(const double* x, double* y) {
+  double* const* plastic = plastic_.empty() ? nullptr : plastic_.data();
+  const bool alone = local_ == owned_ && halo_.neighbors() == 0;
+  halo_.begin_update(x, d_);
+  put(x, d_, 0, owned_, x_, 0);
+  const std::int64_t cells = families_.grid().size();
+  kernels::LatticeView inner = view(plastic, interior);
+  for (int c = 0; c < d_; ++c) inner.u[c] = u_[c], inner.x[c] = x_[c];
+  for (int k = 0; k < 4; ++k) inner.law[k] = law_[k];
+  for (int k = 0; k < std::max(d_, 2); ++k) inner.out[k] = out_[k];
+  kernels::LatticeView outer = inner;
+  const kernels::LatticeView rest = view(plastic, boundary);
+  outer.blocks = rest.blocks, outer.block_count = rest.block_count, outer.plastic = rest.plastic;
+
+  const kernels::LatticeSweeps& sweeps = kernels::sweeps().lattice;
+  out_.clear(0);
+  out_.clear(1);
+  sweep(sweeps.product_sums, inner);
+  if (!alone) {
+    ghosts_.resize(static_cast<std::size_t>(local_) * d_);
+    halo_.end_update(ghosts_.data(), d_);
+    put(ghosts_.data(), d_, owned_, local_, x_, 0);
+  }
+  sweep(sweeps.product_sums, outer);
+
+  double *along = law_[kernels::along], *flow = law_[kernels::flow];
+  const double *first = out_[0], *second = out_[1], *mean = mean_[0];
+  if (flow_.empty()) {
+    for (std::int64_t c = 0; c < cells; ++c) along[c] = dilatation_[c] * first[c];
+  } else {
+    for (std::int64_t c = 0; c < cells; ++c) {
+      flow[c] = flow_[c] * (second[c] - mean[c] * first[c]);
+      along[c] = dilatation_[c] * first[c] - mean[c] * flow[c];
+    }
+  }
+  for (int c = 0; c < d_; ++c) out_.clear(c);
+  sweep(sweeps.product_forces, outer);
+  if (!alone) {
+    take(out_, 0, d_, owned_, local_, ghosts_.data());
+    halo_.begin_add(ghosts_.data(), d_);
+  }
+  sweep(sweeps.product_forces, inner);
+  take(out_, 0, d_, 0, owned_, y);
+  if (alone) return;
+  std::copy(y, y + static_cast<std::size_t>(owned_) * d_, ghosts_.begin());
+  halo_.end_add(ghosts_.data(), d_);
+  std::copy(ghosts_.begin(), ghosts_.begin() + static_cast<std::ptrdiff_t>(owned_) * d_, y);
+}
+
+void LatticeLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
+  const int results = d_ * (d_ + 1) / 2 + d_ + (plastic_.empty() ? 0 : d_);
+  GridArrays out;
+  require(out, results);
+  put(law.dilatation.data(), 1, 0, owned_, law_, kernels::along);
+  put(law.flow.data(), 1, 0, owned_, law_, kernels::flow);
+  kernels::LatticeView g = view(plastic_.empty() ? nullptr : plastic_.data(), every);
+  for (int c = 0; c < d_; ++c) g.u[c] = u_[c];
+  for (int k = 0; k < 4; ++k) g.law[k] = law_[k];
+  g.mean = mean_[0];
+  for (int k = 0; k < results; ++k) g.out[k] = out[k];
+  sweep(kernels::sweeps().lattice.diagonal_blocks, g);
+  std::vector<double> entries(static_cast<std::size_t>(results));
+  for (int i = 0; i < local_; ++i) {
+    for (int k = 0; k < results; ++k) entries[k] = out[k][families_.grid().cell[i]];
+    finish_block(d_, i < owned_, entries.data(), results, families_.volume(), i < owned_ ? law.dilatation[i] : 0,
+                 i < owned_ ? law.flow[i] : 0, blocks + static_cast<std::size_t>(i) * d_ * d_);
+  }
+}
+
+void LatticeLoops::advance(const double* displacement, const double* mean, const double* flow,
+                           PlasticExtension& plastic) {
+  require(u_, d_);
+  require(mean_, 1);
+  require(law_, 2);
+  GridArrays flowing;
+  require(flowing, 1);
+  put(displacement, d_, 0, local_, u_, 0);
+  put(mean, 1, 0, owned_, mean_, 0);
+  put(flow, 1, 0, owned_, flowing, 0);
+  const std::vector<char> needed = flowing_blocks(flowing[0]);
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    if (needed[b]) plastic.require(b, blocks_.size(), offsets_.size() * 2 * kernels::group);
+  kernels::LatticeView g = view(plastic.chunks(), every);
+  for (int c = 0; c < d_; ++c) g.u[c] = u_[c];
+  g.mean = mean_[0];
+  g.law[kernels::flow] = flowing[0];
+  sweep(kernels::sweeps().lattice.advance, g);
+}
+
+}  // namespace perinox::mechanics

@@ -1,0 +1,51 @@
+#include "perinox/mechanics/matrix_free_tangent.hpp"
+
+#include <stdexcept>
+
+#include "evaluation.hpp"
+#include "perinox/mechanics/stored_tangent.hpp"
+
+namespace perinox::mechanics {
+
+MatrixFreeTangent::MatrixFreeTangent(const Scene& scene) : Tangent(scene), loops_(FamilyLoops::make(scene)) {}
+
+void MatrixFreeTangent::linearise(const Committed& committed, const double* displacement, deck::TangentForm form) {
+  Evaluation& evaluation = scene_.evaluation();
+  evaluation.at(scene_, committed, displacement);
+  const auto owned = static_cast<std::size_t>(scene_.owned());
+  for (std::vector<double>* values : {&law_.radial, &law_.shear, &law_.mean, &law_.dilatation, &law_.flow})
+    values->resize(owned);
+  std::vector<double> trial;
+  for (LocalIndex i = 0; i < scene_.owned(); ++i) {
+    const materials::FamilySums sums = evaluation.sums(scene_, committed, i);
+    const double* history = committed.point_history(scene_, i);
+    trial.resize(static_cast<std::size_t>(scene_.point_history()[i + 1] - scene_.point_history()[i]));
+    const materials::PointState state = scene_.material(i).state(sums, history, trial.data());
+    const materials::PointModulus modulus = scene_.material(i).modulus(sums, history, form);
+    if (modulus.diagonal_only) throw std::logic_error("the printed tangent has no matrix-free product");
+    law_.radial[i] = state.radial;
+    law_.shear[i] = state.shear;
+    law_.mean[i] = modulus.mean;
+    law_.dilatation[i] = modulus.radial;
+    law_.flow[i] = modulus.flow;
+  }
+  plastic_ = committed.shared_plastic();
+  loops_->linearise(evaluation.displacement().data(), law_, *plastic_);
+}
+
+void MatrixFreeTangent::diagonal_blocks(double* blocks) const {
+  const int size = scene_.dimension() * scene_.dimension();
+  std::vector<double> all(static_cast<std::size_t>(scene_.local()) * size);
+  loops_->diagonal_blocks(law_, all.data());
+  scene_.body().halo.add_to_owners(all.data(), size);
+  std::copy(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(scene_.owned()) * size, blocks);
+}
+
+std::size_t MatrixFreeTangent::bytes() const { return loops_->bytes() + 5 * law_.radial.size() * sizeof(double); }
+
+std::unique_ptr<Tangent> make_tangent(const Scene& scene, deck::TangentForm form) {
+  if (form == deck::TangentForm::consistent) return std::make_unique<MatrixFreeTangent>(scene);
+  return std::make_unique<StoredTangent>(scene);
+}
+
+}  // namespace perinox::mechanics

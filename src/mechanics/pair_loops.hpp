@@ -1,0 +1,44 @@
+#pragma once
+#include "kernels/instruction_sets.hpp"
+#include "perinox/mechanics/family_loops.hpp"
+
+namespace perinox::mechanics {
+
+class PairLoops : public FamilyLoops {
+ public:
+  explicit PairLoops(const Scene& scene);
+
+  void strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
+                   StrainSums& sums) override;
+  void forces(const double* radial, const double* shear, const PlasticExtension& plastic, double* force) override;
+  void linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) override;
+  void product(const double* x, double* y) override;
+  void diagonal_blocks(const TangentLaw& law, double* blocks) override;
+  void advance(const double* displacement, const double* mean, const double* flow, PlasticExtension& plastic) override;
+  std::size_t bytes() const override;
+
+ private:
+  using Values = std::vector<double>;  ///< [slots * 4]
+  kernels::PairView view(const std::vector<std::int32_t>& slots, double* const* plastic) const;
+  void sweep(kernels::PairSweeps::Sweep run, kernels::PairView view) const { run(view, d_, small_); }
+  void both(kernels::PairSweeps::Sweep run, kernels::PairView view) const;
+  void put(const double* values, int components, int first, int last, Values& to, int component) const;
+  void take(const Values& from, int component, int components, int first, int last, double* values) const;
+  std::vector<char> flowing_slots(const Values& values, int component) const;
+  void require(Values& values) const;
+
+  const bonds::PairFamilies& families_;
+  const std::vector<int>& slot_;
+  body::Halo halo_;
+  int d_, owned_, local_;
+  bool small_;
+  Values reference_;  ///< position, volume
+  Values place_;      ///< of the tangent: current position (small strain: reference), volume
+  Values u_, x_, law_, out_;
+  Values dilatation_, flow_;      ///< [owned] by slot: coefficients of the tangent's rank-one terms
+  std::vector<double*> plastic_;  ///< [owned] for the products; empty: nothing flows or has flowed
+  std::vector<double> none_;      ///< the plastic extension of pairs that flow for the first time
+  std::vector<double> ghosts_;    ///< [local * d] of which only ghosts' entries are used
+};
+
+}  // namespace perinox::mechanics

@@ -1,0 +1,79 @@
+/// A lattice body swept by its stencil and the same body swept pair by pair answer alike, for every material, state,
+/// influence function and quadrature, with pre-cracks, in every dimension; and both like the stored tangent, which is
+/// written bond by bond.
+#include <gtest/gtest.h>
+
+#include "support/load_states.hpp"
+#include "support/measured.hpp"
+
+namespace perinox::test {
+namespace {
+
+struct Answers {
+  Vector force, product, blocks;
+  mechanics::Trial trial;
+};
+
+Answers answers_of(const mechanics::Scene& scene, const LoadState& state, mechanics::Tangent& tangent) {
+  std::vector<Vector> fields = fields_of(scene, state);
+  const Vector here = fields.back();
+  fields.pop_back();
+  const mechanics::Committed committed = committed_after(scene, fields);
+  Answers answers;
+  Answer answer = internal_force(scene, committed, here);
+  answers.force = std::move(answer.force);
+  answers.trial = std::move(answer.trial);
+  tangent.linearise(committed, here.data(), deck::TangentForm::consistent);
+  answers.product = times(tangent, random_field(scene, 1, 71));
+  answers.blocks.resize(scene.owned_unknowns() * static_cast<std::size_t>(scene.dimension()));
+  tangent.diagonal_blocks(answers.blocks.data());
+  return answers;
+}
+
+void expect_alike(const Answers& a, const Answers& b) {
+  EXPECT_LE(measured("layouts: force", relative_difference(a.force, b.force)), 1e-12);
+  EXPECT_LE(measured("layouts: product", relative_difference(a.product, b.product)), 1e-12);
+  EXPECT_LE(measured("layouts: diagonal blocks", relative_difference(a.blocks, b.blocks)), 1e-12);
+  EXPECT_EQ(a.trial.yielding, b.trial.yielding);
+}
+
+class Layouts : public ::testing::TestWithParam<std::tuple<int, bool, bool>> {};
+
+TEST_P(Layouts, AnswerAlike) {
+  const auto& [row_number, cracked, small] = GetParam();
+  const MaterialRow row = material_table()[static_cast<std::size_t>(row_number)];
+  for (deck::Influence influence : {deck::Influence::constant, deck::Influence::inverse, deck::Influence::polynomial})
+    for (deck::Quadrature quadrature : {deck::Quadrature::whole, deck::Quadrature::partial_volume})
+      for (const LoadState& state : load_states()) {
+        if (state.needs_plasticity && row.surface.empty()) continue;
+        SCOPED_TRACE(row.name + " " + state.name);
+        const bool flat = row.dimension == 2;
+        deck::Deck deck = flat ? lattice_deck(deck::Dimension::plane_strain, {11, 9, 1}, 0.4, 3.015)
+                               : lattice_deck(deck::Dimension::three, {9, 5, 6}, 0.4, 2.2);
+        deck.influence = influence;
+        deck.quadrature = quadrature;
+        deck.small_strain = small;
+        deck::Crack crack;
+        crack.form = deck::CrackRectangle{{1.2, -1, 1.2}, {9, 0, 0}, {0, 9, 0}};
+        if (flat) crack.form = deck::CrackSegment{{1.2, 1.6, 0}, {9, 1.6, 0}};
+        if (cracked) deck.cracks.push_back(crack);
+        const mechanics::Scene lattice = make_scene(deck, materials_of(row.make()));
+        const mechanics::Scene pairs = make_scene(deck, materials_of(row.make()), mechanics::Layout::pairs);
+        ASSERT_NE(lattice.lattice(), nullptr);
+        ASSERT_NE(pairs.pairs(), nullptr);
+        ASSERT_EQ(lattice.bonds().neighbor, pairs.bonds().neighbor);
+        ASSERT_EQ(lattice.families().cut > 0, cracked);
+        mechanics::MatrixFreeTangent on_lattice(lattice), on_pairs(pairs);
+        mechanics::StoredTangent stored(lattice);
+        const Answers first = answers_of(lattice, state, on_lattice);
+        expect_alike(first, answers_of(pairs, state, on_pairs));
+        expect_alike(first, answers_of(lattice, state, stored));
+      }
+}
+
+INSTANTIATE_TEST_SUITE_P(Materials, Layouts,
+                         ::testing::Combine(::testing::Range(0, static_cast<int>(material_table().size())),
+                                            ::testing::Bool(), ::testing::Bool()));
+
+}  // namespace
+}  // namespace perinox::test
