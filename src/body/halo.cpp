@@ -40,6 +40,7 @@ struct Plan {
 }  // namespace
 
 struct Halo::Plans {
+  Communicator communicator;
   Teuchos::RCP<const Teuchos::Comm<int>> comm;
   std::vector<GlobalId> ids;
   int owned = 0;
@@ -68,6 +69,7 @@ Halo::Halo(const Communicator& communicator, const std::vector<GlobalId>& ids, i
   }
   plans_ = std::make_shared<Plans>();
   plans_->comm = Teuchos::rcp(new Teuchos::MpiComm<int>(communicator.mpi()));
+  plans_->communicator = communicator;
   plans_->ids = ids;
   plans_->owned = owned;
   // Tpetra would only warn of an id that nobody owns, so the directory is asked first.
@@ -80,6 +82,7 @@ Halo::Halo(const Communicator& communicator, const std::vector<GlobalId>& ids, i
 
 void Halo::update_ghosts(double* values, int components) const {
   if (!plans_) return;
+  const Profile::Scope timed(plans_->communicator.profile(), Section::halo);
   const Plan& plan = plans_->plan(components);
   const std::size_t split = static_cast<std::size_t>(owned_) * static_cast<std::size_t>(components);
   const std::size_t count = static_cast<std::size_t>(ghosts_) * static_cast<std::size_t>(components);
@@ -90,6 +93,7 @@ void Halo::update_ghosts(double* values, int components) const {
 
 void Halo::add_to_owners(double* values, int components) const {
   if (!plans_) return;
+  const Profile::Scope timed(plans_->communicator.profile(), Section::halo);
   const Plan& plan = plans_->plan(components);
   const std::size_t split = static_cast<std::size_t>(owned_) * static_cast<std::size_t>(components);
   const std::size_t count = static_cast<std::size_t>(ghosts_) * static_cast<std::size_t>(components);
