@@ -49,8 +49,14 @@ LinearOutcome Newton::Parts::predict(const mechanics::Committed& committed, std:
   const std::vector<double>& start = committed.displacement();
   const std::vector<char>& fixed = boundary.prescribed();
   const std::size_t unknowns = x.size();
-  system.update(committed, start.data());
-  system.update_preconditioner();
+  try {
+    system.update(committed, start.data());
+    system.update_preconditioner();
+  } catch (const std::exception& failure) {  // a matrix that cannot be factorised
+    LinearOutcome outcome;
+    outcome.reason = sentence_of(failure);
+    return outcome;
+  }
   model->evaluate(start.data());
   std::vector<double> jump(unknowns, 0.0), stiff(unknowns);
   for (std::size_t u = 0; u < unknowns; ++u)
