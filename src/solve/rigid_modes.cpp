@@ -15,6 +15,8 @@ using Motion = Eigen::Matrix<double, 6, 1>;
 using Motions = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 6>;
 using Vector3 = Eigen::Vector3d;
 
+/// Supports as strong as this (the same measure) are as good as any.
+constexpr double good_arm = 0.05;
 /// A support that restrains a motion less than this (a lever arm, relative to the piece's size) does not hold it.
 constexpr double least_arm = 1e-8;
 /// Points nearer to a plane or line than this (relative to the piece's size) are on it.
@@ -40,7 +42,7 @@ struct Piece {
   }
   Motion left_free(const Motion& row) const {
     Motion rest = row;
-    for (int twice = 0; twice < 2; ++twice) rest -= held * (held.transpose() * rest).eval();
+    for (Eigen::Index k = 0; k < held.cols(); ++k) rest -= held.col(k).dot(rest) * held.col(k);
     return rest;
   }
 };
@@ -103,20 +105,24 @@ std::vector<Piece> measure(const body::Body& body, const bonds::Components& comp
 /// The motion of piece k in an array of them.
 Eigen::Map<Motion> kept(std::vector<double>& rows, std::size_t k) { return Eigen::Map<Motion>(&rows[6 * k]); }
 
-/// Fills `held` with an orthonormal basis of what all supports hold: in each round every piece takes, over all ranks,
-/// the support with the largest part not yet held (QR with pivoting, without ever storing the rows).
+/// Fills `held` with an orthonormal basis of what supports hold by more than `least`: in each round every piece takes,
+/// over all ranks, the support with the largest part not yet held (QR with pivoting, without ever storing the rows).
+/// Of the particles with supports every `stride`-th of this rank is looked at.
 void hold(std::vector<Piece>& pieces, const body::Body& body, const bonds::Components& components,
-          const std::vector<char>& prescribed) {
-  const int d = body.dimension;
+          const std::vector<char>& prescribed, std::size_t stride, double least) {
+  const auto d = static_cast<std::size_t>(body.dimension);
   const Communicator& ranks = body.communicator;
   for (int round = 0; round < 6; ++round) {
     std::vector<double> best(pieces.size(), 0.0), rows(6 * pieces.size(), 0.0);
+    std::size_t met = 0;
     for (LocalIndex i = 0; i < body.owned; ++i) {
+      const char* fixed = &prescribed[static_cast<std::size_t>(i) * d];
       const auto k = static_cast<std::size_t>(components.of[i]);
-      if (pieces[k].held.cols() == 6) continue;
-      for (int c = 0; c < d; ++c) {
-        if (!prescribed[static_cast<std::size_t>(i) * d + c]) continue;
-        const Motion rest = pieces[k].left_free(pieces[k].support(body.position3(i), c));
+      if (std::none_of(fixed, fixed + d, [](char c) { return c != 0; })) continue;
+      if (met++ % stride != 0 || pieces[k].held.cols() == 6) continue;
+      for (std::size_t c = 0; c < d; ++c) {
+        if (!fixed[c]) continue;
+        const Motion rest = pieces[k].left_free(pieces[k].support(body.position3(i), static_cast<int>(c)));
         if (rest.norm() <= best[k]) continue;
         best[k] = rest.norm();
         kept(rows, k) = rest;
@@ -133,12 +139,22 @@ void hold(std::vector<Piece>& pieces, const body::Body& body, const bonds::Compo
     bool more = false;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       pieces[k].touched = pieces[k].touched || most[k] > 0;
-      if (most[k] <= least_arm) continue;
-      append(pieces[k].held, kept(rows, k) / most[k]);
+      if (most[k] <= least) continue;
+      // Once more, because a small part left over is no longer orthogonal to rounding.
+      append(pieces[k].held, pieces[k].left_free(kept(rows, k) / most[k]).normalized());
       more = more || pieces[k].held.cols() < 6;
     }
     if (!more) return;
   }
+}
+
+/// All supports; where a thousand of a rank's hold a piece well, as nearly always, the others are left aside.
+void hold(std::vector<Piece>& pieces, const body::Body& body, const bonds::Components& components,
+          const std::vector<char>& prescribed) {
+  const auto supports = static_cast<std::size_t>(
+      std::count(prescribed.begin(), prescribed.begin() + static_cast<std::ptrdiff_t>(body.owned) * body.dimension, 1));
+  hold(pieces, body, components, prescribed, supports / 1000 + 1, good_arm);
+  hold(pieces, body, components, prescribed, 1, least_arm);
 }
 
 /// An orthonormal basis of the judged motions' part that nothing holds.
