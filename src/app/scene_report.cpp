@@ -39,20 +39,25 @@ double available_memory() {
 }
 
 /// The tangent that is used and why; what the matrix costs or would cost. The memory is that of rank 0's machine.
-std::string tangent_choice(const deck::Solver& solver, double matrix) {
+std::string tangent_choice(const deck::Solver& solver, double matrix, double unknowns) {
   const double available = available_memory();
-  const std::string size = fmt::format("about {}{}", bytes(matrix),
-                                       available > 0 ? fmt::format(", {} are available here", bytes(available)) : "");
+  const std::string here = available > 0 ? fmt::format(", {} are available here", bytes(available)) : "";
   const bool asked = solver.tangent != deck::TangentKind::automatic;
   if (!solver.assembled())
-    return fmt::format("tangent matrix-free: {}; a matrix would take {}",
-                       asked ? "the deck asks for it" : "nothing that the deck asks for needs a matrix", size);
-  const std::string why = asked                                                ? "the deck asks for it"
-                          : solver.linear.method == deck::LinearMethod::direct ? "the direct method needs it"
-                                                                               : "the preconditioner needs it";
-  const bool tight = available > 0 && matrix > available;
-  return fmt::format("tangent assembled: {}; {}{}", why, size,
-                     tight ? "; that is too much, take preconditioner: automatic and method: automatic" : "");
+    return fmt::format("tangent matrix-free: {}; a matrix would take about {}{}",
+                       asked ? "the deck asks for it" : "nothing that the deck asks for needs a matrix", bytes(matrix),
+                       here);
+  const bool direct = solver.linear.method == deck::LinearMethod::direct;
+  std::string text = fmt::format("tangent assembled: {}; about {}",
+                                 asked    ? "the deck asks for it"
+                                 : direct ? "the direct method needs it"
+                                          : "the preconditioner needs it",
+                                 bytes(matrix));
+  if (direct) text += fmt::format(", its factors on rank 0 up to {}", bytes(8 * unknowns * unknowns));
+  text += here;
+  if (available > 0 && matrix > available)
+    text += "; that is too much, take preconditioner: automatic and method: automatic";
+  return text;
 }
 
 /// Sums over the ranks that the report needs.
@@ -137,7 +142,7 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   out += fmt::format("memory, all ranks\n  bonds {}, committed and trial state {}, tangent {}{}\n", bytes(bond_data),
                      bytes(state), bytes(tangent),
                      deck.solver.assembled() ? fmt::format(", assembled matrix about {}", bytes(matrix)) : "");
-  out += fmt::format("solver\n  {}\n", tangent_choice(deck.solver, matrix));
+  out += fmt::format("solver\n  {}\n", tangent_choice(deck.solver, matrix, particles * d));
   // Counted from the loops: one product 10 d + 10 (plastic 4 more) operations a directed bond.
   const double product = bonds * (10 * d + 10) + 4 * plastic_bonds;
   out += fmt::format("cost\n  one product {:.3g} Mflop, {} read; {} load steps of a few Newton iterations each\n",
