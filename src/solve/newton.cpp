@@ -115,10 +115,12 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
 
   std::vector<double> x(committed.displacement().begin(),
                         committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.scene.owned_unknowns()));
-  if (!guess.empty()) x = guess;
+  // A rank without particles has an empty guess also where there is one.
+  const bool guessed = p.scene.body().communicator.any(!guess.empty());
+  if (guessed) x = guess;
   p.boundary.impose(t, x.data());
   bool good_guess = p.boundary.free_count() == 0;
-  if (!guess.empty()) {
+  if (guessed) {
     const ForceBalance& balance = p.model->evaluate(x.data());
     good_guess = good_guess || (balance.finite && balance.relative() < 0.1);
   }
