@@ -1,6 +1,7 @@
-/// The loops over bonds, one rank: internal force, linearisation, matrix-free product, sparse assembly, sparse product.
-/// ns_per_bond: time over directed bonds. A cube of n^3 particles, horizon 3.015 spacings, whole neighbours, stretched
-/// by 0.1 % (elastic) or by 2 % (every particle flows).
+/// The loops over bonds, one rank: internal force, linearisation, diagonal blocks, matrix-free product, sparse
+/// assembly, sparse product. ns_per_bond: time over directed bonds. A body of n^3 particles, horizon 3.015 spacings,
+/// whole neighbours, stretched by 0.1 % (elastic) or by 2 % (every particle flows), after a step that has flowed
+/// already. cloud 1: the places jittered by 0.2 spacings and given in random order.
 ///     cmake -S . -B build -DPERINOX_BENCHMARKS=ON && ninja -C build bench_mechanics && build/bench_mechanics
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -8,7 +9,12 @@
 #include <Tpetra_Core.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <numeric>
+#include <random>
 #include <stdexcept>
 
 #include "perinox/deck/read.hpp"
@@ -22,28 +28,54 @@ using namespace perinox;
 
 /// A cube under uniform stretch in z.
 struct Cube {
-  Cube(int n, bool plastic)
-      : scene(mechanics::build_scene(read(n), Communicator(MPI_COMM_SELF))),
+  Cube(const benchmark::State& state)
+      : Cube(static_cast<int>(state.range(0)), state.range(1) != 0, state.range(2) != 0) {}
+  Cube(int n, bool plastic, bool cloud)
+      : scene(mechanics::build_scene(read(n, plastic, cloud), Communicator(MPI_COMM_SELF))),
         committed(scene),
         displacement(scene.owned_unknowns(), 0.0),
         force(scene.owned_unknowns()) {
-    const double stretch = plastic ? 0.02 : 0.001;
-    for (LocalIndex i = 0; i < scene.owned(); ++i)
-      displacement[static_cast<std::size_t>(i) * 3 + 2] = stretch * scene.body().position(i)[2];
-    mechanics::internal_force(scene, committed, displacement.data(), trial, force.data());
-    if (trial.yielding != (plastic ? scene.owned() : 0)) throw std::logic_error("the cube is not in the state meant");
+    if ((scene.lattice() == nullptr) != cloud) throw std::logic_error("the body has not the layout meant");
+    const auto stretch_by = [&](double stretch) {
+      for (LocalIndex i = 0; i < scene.owned(); ++i)
+        displacement[static_cast<std::size_t>(i) * 3 + 2] = stretch * scene.body().position(i)[2];
+      mechanics::internal_force(scene, committed, displacement.data(), trial, force.data());
+      if (trial.yielding != (plastic ? scene.owned() : 0)) throw std::logic_error("the cube is not in the state meant");
+    };
+    if (plastic) {
+      stretch_by(0.02);
+      committed.advance(scene, std::move(trial));
+    }
+    stretch_by(plastic ? 0.021 : 0.001);
   }
 
-  static deck::Deck read(int n) {
-    const std::string yaml = fmt::format(R"(
-dimension: 3
-body: [{{name: cube, shape: {{box: {{min: [0, 0, 0], max: [{0}, {0}, {0}]}}}}, spacing: 1, material: aluminium}}]
-horizon: {{ratio: 3.015}}
-materials:
-  aluminium: {{model: elastic-plastic, bulk_modulus: 67.5e3, shear_modulus: 25.9e3, yield_stress: {{shear: 117.3}}}}
-)",
-                                         n);
+  static deck::Deck read(int n, bool plastic, bool cloud) {
+    std::string shape = fmt::format("shape: {{box: {{min: [0, 0, 0], max: [{0}, {0}, {0}]}}}}, spacing: 1", n);
+    const std::string file = fmt::format("{}/perinox_bench_{}.csv", std::filesystem::temp_directory_path().string(), n);
+    if (cloud) {
+      write_cloud(file, n);
+      shape = "shape: {file: " + file + "}";
+    }
+    const std::string yaml = fmt::format(
+        "dimension: 3\n"
+        "body: [{{name: cube, {}, material: aluminium}}]\n"
+        "horizon: {{length: 3.015}}\n"
+        "materials: {{aluminium: {{model: {}, bulk_modulus: 67.5e3, shear_modulus: 25.9e3{}}}}}\n",
+        shape, plastic ? "elastic-plastic" : "elastic", plastic ? ", yield_stress: {shear: 117.3}" : "");
     return deck::read_text(yaml, "bench.yaml", deck::Schema(materials::declarations()));
+  }
+
+  static void write_cloud(const std::string& file, int n) {
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> jitter(-0.2, 0.2);
+    std::vector<int> cells(static_cast<std::size_t>(n * n * n));
+    std::iota(cells.begin(), cells.end(), 0);
+    std::shuffle(cells.begin(), cells.end(), generator);
+    std::ofstream out(file);
+    out << "x,y,z,volume\n";
+    for (const int cell : cells)
+      out << cell % n + 0.5 + jitter(generator) << ',' << cell / n % n + 0.5 + jitter(generator) << ','
+          << cell / n / n + 0.5 + jitter(generator) << ",1\n";
   }
 
   mechanics::Scene scene;
@@ -59,22 +91,31 @@ void report(benchmark::State& state, const Cube& cube) {
 }
 
 void internal_force(benchmark::State& state) {
-  Cube cube(static_cast<int>(state.range(0)), state.range(1) != 0);
+  Cube cube(state);
   for (auto _ : state)
     mechanics::internal_force(cube.scene, cube.committed, cube.displacement.data(), cube.trial, cube.force.data());
   report(state, cube);
 }
 
 void linearise(benchmark::State& state) {
-  Cube cube(static_cast<int>(state.range(0)), state.range(1) != 0);
+  Cube cube(state);
   mechanics::MatrixFreeTangent tangent(cube.scene);
   for (auto _ : state) tangent.linearise(cube.committed, cube.displacement.data(), deck::TangentForm::consistent);
   report(state, cube);
   state.counters["bytes_per_particle"] = static_cast<double>(tangent.bytes()) / cube.scene.owned();
 }
 
+void diagonal_blocks(benchmark::State& state) {
+  Cube cube(state);
+  mechanics::MatrixFreeTangent tangent(cube.scene);
+  tangent.linearise(cube.committed, cube.displacement.data(), deck::TangentForm::consistent);
+  std::vector<double> blocks(cube.scene.owned_unknowns() * 3);
+  for (auto _ : state) tangent.diagonal_blocks(blocks.data());
+  report(state, cube);
+}
+
 void product(benchmark::State& state) {
-  Cube cube(static_cast<int>(state.range(0)), state.range(1) != 0);
+  Cube cube(state);
   mechanics::MatrixFreeTangent tangent(cube.scene);
   tangent.linearise(cube.committed, cube.displacement.data(), deck::TangentForm::consistent);
   for (auto _ : state) tangent.apply(cube.displacement.data(), cube.force.data());
@@ -82,7 +123,7 @@ void product(benchmark::State& state) {
 }
 
 void assembly(benchmark::State& state) {
-  Cube cube(static_cast<int>(state.range(0)), state.range(1) != 0);
+  Cube cube(state);
   mechanics::StoredTangent tangent(cube.scene);
   tangent.linearise(cube.committed, cube.displacement.data(), deck::TangentForm::consistent);
   mechanics::AssembledTangent assembled(cube.scene, std::vector<char>(cube.scene.local_unknowns(), 0));
@@ -92,7 +133,7 @@ void assembly(benchmark::State& state) {
 }
 
 void assembled_product(benchmark::State& state) {
-  Cube cube(static_cast<int>(state.range(0)), state.range(1) != 0);
+  Cube cube(state);
   mechanics::StoredTangent tangent(cube.scene);
   tangent.linearise(cube.committed, cube.displacement.data(), deck::TangentForm::consistent);
   mechanics::AssembledTangent assembled(cube.scene, std::vector<char>(cube.scene.local_unknowns(), 0));
@@ -103,12 +144,22 @@ void assembled_product(benchmark::State& state) {
   report(state, cube);
 }
 
-const std::vector<std::vector<std::int64_t>> cases{{16}, {0, 1}};
-BENCHMARK(internal_force)->ArgsProduct(cases)->ArgNames({"n", "plastic"})->Unit(benchmark::kMillisecond);
-BENCHMARK(linearise)->ArgsProduct(cases)->ArgNames({"n", "plastic"})->Unit(benchmark::kMillisecond);
-BENCHMARK(product)->ArgsProduct(cases)->ArgNames({"n", "plastic"})->Unit(benchmark::kMillisecond);
-BENCHMARK(assembly)->ArgsProduct(cases)->ArgNames({"n", "plastic"})->Unit(benchmark::kMillisecond);
-BENCHMARK(assembled_product)->ArgsProduct(cases)->ArgNames({"n", "plastic"})->Unit(benchmark::kMillisecond);
+void sizes(benchmark::internal::Benchmark* loop) {
+  loop->ArgNames({"n", "plastic", "cloud"})->Unit(benchmark::kMillisecond);
+  for (const int cloud : {0, 1})
+    for (const int plastic : {0, 1})
+      for (const int n : {16, 32, 64}) loop->Args({n, plastic, cloud});
+}
+void small(benchmark::internal::Benchmark* loop) {
+  loop->ArgNames({"n", "plastic", "cloud"})->Unit(benchmark::kMillisecond);
+  for (const int plastic : {0, 1}) loop->Args({16, plastic, 0});
+}
+BENCHMARK(internal_force)->Apply(sizes);
+BENCHMARK(linearise)->Apply(sizes);
+BENCHMARK(diagonal_blocks)->Apply(sizes);
+BENCHMARK(product)->Apply(sizes);
+BENCHMARK(assembly)->Apply(small);
+BENCHMARK(assembled_product)->Apply(small);
 
 }  // namespace
 

@@ -4,7 +4,9 @@
 
 #include "perinox/app/commands.hpp"
 #include "perinox/app/scene_report.hpp"
+#include "perinox/core/error.hpp"
 #include "perinox/mechanics/scene.hpp"
+#include "perinox/output/profile_table.hpp"
 #include "perinox/output/run_writer.hpp"
 #include "perinox/solve/load_stepper.hpp"
 
@@ -24,7 +26,18 @@ int run(const Options& options, const Communicator& communicator) {
       options.output.empty() ? (std::filesystem::path("results") / std::filesystem::path(options.deck).stem()).string()
                              : options.output;
   output::RunWriter writer(deck, scene.body(), directory, options.quiet);
-  stepper.run(writer);
+  const ProfileReading before = communicator.profile().read();
+  const auto say_times = [&] {  // of a run that stops short too
+    const ProfileReading times = communicator.slowest(communicator.profile().read() - before);
+    if (talk) fmt::print("\n{}", output::profile_table(times));
+  };
+  try {
+    stepper.run(writer);
+  } catch (const RunError&) {
+    say_times();
+    throw;
+  }
+  say_times();
   const solve::Energies& e = stepper.energies();
   if (talk)
     fmt::print("done: stored {:.6g}, dissipated {:.6g}, external work {:.6g}; results in {}\n", e.stored, e.dissipated,

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <fstream>
 
 namespace perinox::app {
 
@@ -25,6 +26,38 @@ std::string bytes(double value) {
   if (value >= 1e9) return fmt::format("{:.2f} GB", value / 1e9);
   if (value >= 1e6) return fmt::format("{:.1f} MB", value / 1e6);
   return fmt::format("{:.1f} kB", value / 1e3);
+}
+
+/// Memory of this machine that is free for programs, bytes; 0 where the system does not say.
+double available_memory() {
+  std::ifstream file("/proc/meminfo");
+  for (std::string word; file >> word;) {
+    double kilobytes = 0;
+    if (word == "MemAvailable:" && file >> kilobytes) return 1024 * kilobytes;
+  }
+  return 0;
+}
+
+/// The tangent that is used and why; what the matrix costs or would cost. The memory is that of rank 0's machine.
+std::string tangent_choice(const deck::Solver& solver, double matrix, double unknowns) {
+  const double available = available_memory();
+  const std::string here = available > 0 ? fmt::format(", {} are available here", bytes(available)) : "";
+  const bool asked = solver.tangent != deck::TangentKind::automatic;
+  if (!solver.assembled())
+    return fmt::format("tangent matrix-free: {}; a matrix would take about {}{}",
+                       asked ? "the deck asks for it" : "nothing that the deck asks for needs a matrix", bytes(matrix),
+                       here);
+  const bool direct = solver.linear.method == deck::LinearMethod::direct;
+  std::string text = fmt::format("tangent assembled: {}; about {}",
+                                 asked    ? "the deck asks for it"
+                                 : direct ? "the direct method needs it"
+                                          : "the preconditioner needs it",
+                                 bytes(matrix));
+  if (direct) text += fmt::format(", its factors on rank 0 up to {}", bytes(8 * unknowns * unknowns));
+  text += here;
+  if (available > 0 && matrix > available)
+    text += "; that is too much, take preconditioner: automatic and method: automatic";
+  return text;
 }
 
 /// Sums over the ranks that the report needs.
@@ -91,12 +124,13 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
         fmt::format("  {}: {} particles\n", set.name, ranks.sum(static_cast<long long>(body.sets.at(set.name).size())));
 
   // What is carried, and what it costs. Bytes follow the arrays of Bonds, Trial, Committed and Tangent.
-  const bool assembled = deck.solver.tangent == deck::TangentKind::assembled;
   const double local = particles + static_cast<double>(t.ghosts);
   const double bond_data = bonds * (3 * sizeof(double) + sizeof(LocalIndex));
   const double state = 2 * (local * d + static_cast<double>(t.point_history + t.bond_history)) * sizeof(double);
   const double plastic_bonds = static_cast<double>(t.bond_history);
   const double tangent = (bonds * (d + 2) + plastic_bonds) * sizeof(double);
+  // Two families wide: a sphere of twice the horizon holds 8 (2-D: 4) families, less its thin rim.
+  const double matrix = bonds * (d == 3 ? 6.8 : 3.7) * d * d * 12;
   out += "fields and terms\n";
   out += fmt::format("  extension, direction, geometric term of finite deformation: every bond\n");
   out += t.bond_history > 0
@@ -106,11 +140,10 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
                    t.bond_history, t.bonds, t.point_history)
              : "  no plastic history: no block needs it; rank-one modulus\n";
   out += t.cut > 0 ? "  pre-cracks: bonds cut at the start\n" : "  no pre-cracks\n";
-  out += fmt::format(
-      "memory, all ranks\n  bonds {}, committed and trial state {}, tangent {}{}\n", bytes(bond_data), bytes(state),
-      bytes(tangent),
-      // Two families wide: a sphere of twice the horizon holds 8 (2-D: 4) families, less its thin rim.
-      assembled ? fmt::format(", assembled matrix about {}", bytes(bonds * (d == 3 ? 6.8 : 3.7) * d * d * 12)) : "");
+  out += fmt::format("memory, all ranks\n  bonds {}, committed and trial state {}, tangent {}{}\n", bytes(bond_data),
+                     bytes(state), bytes(tangent),
+                     deck.solver.assembled() ? fmt::format(", assembled matrix about {}", bytes(matrix)) : "");
+  out += fmt::format("solver\n  {}\n", tangent_choice(deck.solver, matrix, particles * d));
   // Counted from the loops: one product 10 d + 10 (plastic 4 more) operations a directed bond.
   const double product = bonds * (10 * d + 10) + 4 * plastic_bonds;
   out += fmt::format("cost\n  one product {:.3g} Mflop, {} read; {} load steps of a few Newton iterations each\n",

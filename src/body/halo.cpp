@@ -42,6 +42,7 @@ constexpr int tag_update = 71, tag_add = 72;
 }  // namespace
 
 struct Halo::Plan {
+  Communicator communicator;
   MPI_Comm comm = MPI_COMM_NULL;
   Side shared;  ///< owned particles that are other ranks' ghosts
   Side ghosts;  ///< this rank's ghosts
@@ -74,6 +75,7 @@ Halo::Halo(const Communicator& communicator, const std::vector<GlobalId>& ids, i
   }
   const std::vector<int> owners = owners_of(communicator, ids, owned);
   plan_ = std::make_shared<Plan>();
+  plan_->communicator = communicator;
   plan_->comm = communicator.mpi();
 
   // Ghosts by owner, then every owner is told which of its particles are wanted.
@@ -115,6 +117,7 @@ Halo::Halo(const Communicator& communicator, const std::vector<GlobalId>& ids, i
 
 void Halo::begin_update(const double* values, int components) const {
   if (!plan_) return;
+  const Profile::Scope timed(plan_->communicator.profile(), Section::halo);
   const auto width = static_cast<std::size_t>(components);
   plan_->shared.pack(values, width);
   plan_->begin(plan_->shared, plan_->ghosts, width, tag_update, plan_->updating);
@@ -122,6 +125,7 @@ void Halo::begin_update(const double* values, int components) const {
 
 void Halo::end_update(double* values, int components) const {
   if (!plan_) return;
+  const Profile::Scope timed(plan_->communicator.profile(), Section::halo);
   const auto width = static_cast<std::size_t>(components);
   Plan::end(plan_->updating);
   const Side& ghosts = plan_->ghosts;
@@ -131,6 +135,7 @@ void Halo::end_update(double* values, int components) const {
 
 void Halo::begin_add(const double* values, int components) const {
   if (!plan_) return;
+  const Profile::Scope timed(plan_->communicator.profile(), Section::halo);
   const auto width = static_cast<std::size_t>(components);
   plan_->ghosts.pack(values, width);
   plan_->begin(plan_->ghosts, plan_->shared, width, tag_add, plan_->adding);
@@ -138,6 +143,7 @@ void Halo::begin_add(const double* values, int components) const {
 
 void Halo::end_add(double* values, int components) const {
   if (!plan_) return;
+  const Profile::Scope timed(plan_->communicator.profile(), Section::halo);
   const auto width = static_cast<std::size_t>(components);
   Plan::end(plan_->adding);
   const Side& shared = plan_->shared;

@@ -4,6 +4,7 @@
 #include <Zoltan2_BasicVectorAdapter.hpp>
 #include <Zoltan2_PartitioningProblem.hpp>
 #include <Zoltan2_PartitioningSolution.hpp>
+#include <string>
 
 namespace perinox::body {
 
@@ -12,20 +13,29 @@ namespace {
 using Types = Zoltan2::BasicUserTypes<double, int, GlobalId>;
 using Adapter = Zoltan2::BasicVectorAdapter<Types>;
 
-/// Fewer particles than ranks, or as many: one each, and the ranks beyond stay empty.
+/// Fewer particles than parts, or as many: one each, and the parts beyond stay empty.
 std::vector<int> one_each(const std::vector<Particle>& particles) {
   std::vector<int> destination;
   for (const Particle& particle : particles) destination.push_back(static_cast<int>(particle.id));
   return destination;
 }
 
+const char* name_of(PartitionMethod method) {
+  return method == PartitionMethod::rcb ? "rcb" : method == PartitionMethod::multijagged ? "multijagged" : "hsfc";
+}
+
 }  // namespace
 
 std::vector<int> partition(const std::vector<Particle>& particles, const std::vector<double>& weights, int dimension,
                            const Communicator& communicator) {
+  return partition(particles, weights, dimension, communicator, communicator.size(), PartitionMethod::rcb);
+}
+
+std::vector<int> partition(const std::vector<Particle>& particles, const std::vector<double>& weights, int dimension,
+                           const Communicator& communicator, int parts, PartitionMethod method) {
   const std::size_t count = particles.size();
-  if (communicator.size() == 1) return std::vector<int>(count, 0);
-  if (communicator.sum(static_cast<long long>(count)) <= communicator.size()) return one_each(particles);
+  if (parts == 1) return std::vector<int>(count, 0);
+  if (communicator.sum(static_cast<long long>(count)) <= parts) return one_each(particles);
   const bool weighted = communicator.any(!weights.empty());
 
   // Zoltan2 wants addresses even where a rank has nothing to show: one unused entry keeps them valid.
@@ -46,16 +56,16 @@ std::vector<int> partition(const std::vector<Particle>& particles, const std::ve
                   weight_strides);
 
   Teuchos::ParameterList parameters;
-  parameters.set("algorithm", "rcb");
-  parameters.set("num_global_parts", communicator.size());
+  parameters.set("algorithm", std::string(name_of(method)));
+  parameters.set("num_global_parts", parts);
   parameters.set("imbalance_tolerance", 1.01);
   parameters.sublist("zoltan_parameters").set("DEBUG_LEVEL", "0");  // or it prints all its settings
   Zoltan2::PartitioningProblem<Adapter> problem(&adapter, &parameters, communicator.mpi());
   problem.solve();
 
   std::vector<int> destination(count);
-  const auto* parts = problem.getSolution().getPartListView();
-  for (std::size_t i = 0; i < count; ++i) destination[i] = static_cast<int>(parts[i]);
+  const auto* part_of = problem.getSolution().getPartListView();
+  for (std::size_t i = 0; i < count; ++i) destination[i] = static_cast<int>(part_of[i]);
   return destination;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 
 namespace perinox::bonds {
@@ -93,6 +94,32 @@ std::size_t PairFamilies::bytes() const {
   return particle_.size() * sizeof(LocalIndex) + slot_.size() * sizeof(int) + begin_.size() * sizeof(std::int64_t) +
          far_.size() * sizeof(std::int32_t) + (length_.size() + weight_.size()) * sizeof(double) +
          (interior_.size() + boundary_.size()) * sizeof(std::int32_t);
+}
+
+BondGraph PairFamilies::graph() const {
+  struct Adjacency {
+    std::vector<std::int64_t> begin;
+    std::vector<LocalIndex> neighbor;
+  };
+  auto all = std::make_shared<Adjacency>();
+  const int none = slots() - 1;
+  all->begin.assign(static_cast<std::size_t>(owned_) + 1, 0);
+  const auto each = [&](auto&& visit) {
+    for (int s = 0; s < owned_; ++s)
+      for (std::int64_t k = begin_[s]; k < begin_[s + 1]; ++k) {
+        if (far_[k] == none) continue;
+        visit(particle_[s], particle_[far_[k]]);
+        if (far_[k] < owned_) visit(particle_[far_[k]], particle_[s]);
+      }
+  };
+  each([&](LocalIndex i, LocalIndex) { ++all->begin[i + 1]; });
+  std::partial_sum(all->begin.begin(), all->begin.end(), all->begin.begin());
+  all->neighbor.resize(static_cast<std::size_t>(all->begin.back()));
+  std::vector<std::int64_t> next(all->begin.begin(), all->begin.end() - 1);
+  each([&](LocalIndex i, LocalIndex j) { all->neighbor[next[i]++] = j; });
+  return [all](LocalIndex i, std::vector<LocalIndex>& neighbors) {
+    neighbors.assign(all->neighbor.begin() + all->begin[i], all->neighbor.begin() + all->begin[i + 1]);
+  };
 }
 
 std::vector<std::vector<PairFamilies::Place>> PairFamilies::places() const {

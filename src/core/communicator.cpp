@@ -1,5 +1,7 @@
 #include "perinox/core/communicator.hpp"
 
+#include <algorithm>
+
 #include "perinox/core/error.hpp"
 
 namespace perinox {
@@ -13,7 +15,7 @@ T reduce(T value, MPI_Datatype type, MPI_Op operation, MPI_Comm comm) {
 }
 }  // namespace
 
-Communicator::Communicator(MPI_Comm comm) : comm_(comm) {
+Communicator::Communicator(MPI_Comm comm) : comm_(comm), profile_(std::make_shared<Profile>()) {
   MPI_Comm_rank(comm, &rank_);
   MPI_Comm_size(comm, &size_);
 }
@@ -33,6 +35,20 @@ long long Communicator::exclusive_scan(long long value) const {
 
 void Communicator::sum(std::vector<double>& values) const {
   MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, comm_);
+}
+
+void Communicator::max(std::vector<double>& values) const {
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, comm_);
+}
+
+ProfileReading Communicator::slowest(const ProfileReading& reading) const {
+  std::vector<double> values(reading.seconds.begin(), reading.seconds.end());
+  values.push_back(reading.wall);
+  max(values);
+  ProfileReading all = reading;
+  all.wall = values.back();
+  std::copy_n(values.begin(), section_count, all.seconds.begin());
+  return all;
 }
 
 std::vector<double> Communicator::gather(double value) const {

@@ -106,17 +106,6 @@ Enumeration convert_word(const Value& map, const std::string& key, const std::ve
   return words::value_of<Enumeration>(words, map.at(key).text());
 }
 
-/// What is wrong between keys that are right one by one.
-void refuse_unfit_preconditioner(const Solver& solver, const Value& word) {
-  const Preconditioner kind = solver.linear.preconditioner;
-  if (solver.tangent == TangentKind::assembled || kind == Preconditioner::automatic || kind == Preconditioner::none ||
-      kind == Preconditioner::block_jacobi)
-    return;
-  refuse(word.location(), fmt::format("the preconditioner {} needs the assembled matrix; write tangent: assembled in "
-                                      "solver, or take block-jacobi",
-                                      word.text()));
-}
-
 Solver convert_solver(const Value& value) {
   Solver solver;
   solver.location = value.location();
@@ -133,7 +122,7 @@ Solver convert_solver(const Value& value) {
   solver.linear.preconditioner = convert_word<Preconditioner>(linear, "preconditioner", words::preconditioner);
   solver.linear.tolerance = linear.at("tolerance").number();
   solver.linear.max_iterations = static_cast<int>(linear.at("max_iterations").integer());
-  refuse_unfit_preconditioner(solver, linear.at("preconditioner"));
+  refuse_unfit_solver(solver, linear);
   return solver;
 }
 

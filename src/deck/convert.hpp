@@ -15,6 +15,10 @@ Crack convert_crack(const Value& value, Dimension dimension);
 void refuse_empty_box(const Point& min, const Point& max, Dimension dimension, const Location& where,
                       const std::string& name);
 
+/// What is wrong between the solver's keys that are right one by one; `linear` is the checked map of that name. Throws
+/// InputError at the key's place.
+void refuse_unfit_solver(const Solver& solver, const Value& linear);
+
 /// Names and references between the deck's parts. Throws InputError at the place of the name.
 void check_references(const Deck& deck);
 

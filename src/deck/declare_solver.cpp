@@ -29,22 +29,25 @@ Key declare_solver() {
   Key linear = map_key(
       "linear", "The linear solves within Newton's iteration.",
       {word_key("method", words::linear_method, "automatic",
-                "Krylov method; automatic takes cg where the tangent is symmetric, else gmres."),
+                "Krylov method; automatic takes cg where the tangent is symmetric, else gmres. direct factorises the "
+                "assembled tangent on one rank: for small scenes."),
        word_key("preconditioner", words::preconditioner, "automatic",
-                "Preconditioner; symmetric-gauss-seidel, chebyshev and ilu work on the assembled tangent."),
+                "Preconditioner; jacobi, symmetric-gauss-seidel, chebyshev and ilu work on the assembled tangent."),
        tolerance_key("tolerance", "1e-4",
                      "Relative residual of a linear solve; with eisenstat-walker forcing the loosest one allowed."),
        integer_key("max_iterations", 1, 1e9, "2000", "Iterations after which a linear solve is given up.")});
   linear.fallback = "{}";
   Key key = map_key(
       "solver", "How each step is solved; every key has a good default.",
-      {word_key("tangent", words::tangent_kind, "matrix-free", "Apply the tangent bond by bond, or assemble a matrix."),
+      {word_key("tangent", words::tangent_kind, "auto",
+                "Apply the tangent bond by bond, or assemble a matrix; auto assembles only for a method or "
+                "preconditioner that needs a matrix."),
        word_key(
            "form", words::tangent_form, "consistent",
            "Tangent with every term of the derivative, or the form printed in the literature, which leaves terms out."),
        newton, linear});
   key.fallback = "{}";
-  key.example = "solver:\n  tangent: assembled\n  newton: {tolerance: 1e-9}\n  linear: {preconditioner: ilu}";
+  key.example = "solver:\n  newton: {tolerance: 1e-9}\n  linear: {preconditioner: ilu}";
   return key;
 }
 

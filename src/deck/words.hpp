@@ -11,11 +11,11 @@ inline const std::vector<std::string> dimension{"3", "plane-strain", "plane-stre
 inline const std::vector<std::string> influence{"constant", "inverse", "polynomial"};
 inline const std::vector<std::string> deformation{"finite", "small"};
 inline const std::vector<std::string> quadrature{"whole", "partial-volume", "taper-inside"};
-inline const std::vector<std::string> tangent_kind{"matrix-free", "assembled"};
+inline const std::vector<std::string> tangent_kind{"auto", "matrix-free", "assembled"};
 inline const std::vector<std::string> tangent_form{"consistent", "printed"};
 inline const std::vector<std::string> line_search{"backtrack", "full-step"};
 inline const std::vector<std::string> forcing{"eisenstat-walker", "constant"};
-inline const std::vector<std::string> linear_method{"automatic", "cg", "gmres"};
+inline const std::vector<std::string> linear_method{"automatic", "cg", "gmres", "direct"};
 inline const std::vector<std::string> preconditioner{
     "automatic", "none", "block-jacobi", "jacobi", "symmetric-gauss-seidel", "chebyshev", "ilu"};
 inline const std::vector<std::string> component{"x", "y", "z"};

@@ -33,6 +33,11 @@ void MatrixFreeTangent::linearise(const Committed& committed, const double* disp
   loops_->linearise(evaluation.displacement().data(), law_, *plastic_);
 }
 
+void MatrixFreeTangent::apply(const double* x, double* y) const {
+  const Profile::Scope timed(scene_.body().communicator.profile(), Section::product);
+  loops_->product(x, y);
+}
+
 void MatrixFreeTangent::diagonal_blocks(double* blocks) const {
   const int size = scene_.dimension() * scene_.dimension();
   std::vector<double> all(static_cast<std::size_t>(scene_.local()) * size);

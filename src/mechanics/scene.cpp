@@ -122,6 +122,17 @@ const bonds::Bonds& Scene::bonds() const {
   return all;
 }
 
+bonds::BondGraph Scene::bond_graph() const {
+  if (lattice_)
+    return [this, places = std::vector<bonds::LatticeFamilies::Place>()](LocalIndex i,
+                                                                        std::vector<LocalIndex>& neighbors) mutable {
+      lattice_->places(i, places);
+      neighbors.clear();
+      for (const auto& place : places) neighbors.push_back(place.neighbor);
+    };
+  return pairs_->graph();
+}
+
 Evaluation& Scene::evaluation() const {
   if (!evaluation_) evaluation_ = std::make_unique<Evaluation>(*this);
   return *evaluation_;

@@ -83,6 +83,7 @@ void StoredTangent::linearise_points(const Committed& committed, deck::TangentFo
 }
 
 void StoredTangent::apply(const double* x, double* y) const {
+  const Profile::Scope timed(scene_.body().communicator.profile(), Section::product);
   std::copy(x, x + scene_.owned_unknowns(), x_.begin());
   scene_.body().halo.update_ghosts(x_.data(), scene_.dimension());
   std::fill(y_.begin(), y_.end(), 0.0);

@@ -97,6 +97,7 @@ RunWriter::~RunWriter() = default;
 
 void RunWriter::newton_iteration(const solve::NewtonIteration& row) {
   Files& files = *files_;
+  const Profile::Scope timed(files.communicator.profile(), Section::output);
   if (row.step != files.current_step) files.attempt = 1;
   files.current_step = row.step;
   if (files.convergence) files.convergence->row(row, files.attempt);
@@ -110,6 +111,7 @@ void RunWriter::step_rejected(double t_from, double t_to, const std::string& rea
 
 void RunWriter::step_committed(const solve::StepRecord& record) {
   Files& files = *files_;
+  const Profile::Scope timed(files.communicator.profile(), Section::output);
   files.current_step = 0;
   if (record.step % files.every == 0 || record.last) files.results->write(record, files.chosen(record.fields));
   if (files.history) files.history->row(record);
@@ -119,6 +121,7 @@ void RunWriter::step_committed(const solve::StepRecord& record) {
 
 void RunWriter::run_stopped(const solve::StepRecord* last) {
   Files& files = *files_;
+  const Profile::Scope timed(files.communicator.profile(), Section::output);
   if (last && last->step % files.every != 0) files.results->write(*last, files.chosen(last->fields));
 }
 

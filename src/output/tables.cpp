@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 namespace perinox::output {
@@ -32,18 +33,35 @@ void GrowingFile::append(const std::string& line) {
   if (!written) failure_ = fmt::format("{} could not be written: {}", path_, std::strerror(errno));
 }
 
+namespace {
+/// The sections in the order of their columns, which is not that of the enumeration.
+constexpr Section columns[] = {Section::product, Section::preconditioner, Section::halo,     Section::assembly,
+                               Section::output,  Section::force,          Section::linearise};
+static_assert(std::size(columns) == section_count);
+
+std::string seconds_columns() {
+  std::string header;
+  for (const Section section : columns) header += fmt::format(",seconds_{}", name_of(section));
+  return header;
+}
+}  // namespace
+
 HistoryTable::HistoryTable(const std::string& path, const std::vector<std::string>& names) : file_(path) {
   std::string header = "step,t";
   for (const std::string& name : names) header += "," + cell(name);
-  file_.append(header + ",stored_energy,dissipated_energy,external_work,newton_iterations,linear_iterations,seconds");
+  file_.append(header +
+               ",stored_energy,dissipated_energy,external_work,newton_iterations,linear_iterations,seconds,products" +
+               seconds_columns());
 }
 
 void HistoryTable::row(const solve::StepRecord& record) {
   std::string line = fmt::format("{},{:.17g}", record.step, record.t);
   for (const double value : record.history) line += fmt::format(",{:.17g}", value);
-  file_.append(line + fmt::format(",{:.17g},{:.17g},{:.17g},{},{},{:.17g}", record.stored_energy,
-                                  record.dissipated_energy, record.external_work, record.newton_iterations,
-                                  record.linear_iterations, record.seconds));
+  line += fmt::format(",{:.17g},{:.17g},{:.17g},{},{},{:.17g},{}", record.stored_energy, record.dissipated_energy,
+                      record.external_work, record.newton_iterations, record.linear_iterations, record.seconds,
+                      record.profile.count_of(Section::product));
+  for (const Section section : columns) line += fmt::format(",{:.6g}", record.profile.seconds_of(section));
+  file_.append(line);
 }
 
 ConvergenceTable::ConvergenceTable(const std::string& path) : file_(path) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perinox/solve/rigid_modes.hpp"
+
 namespace perinox::solve {
 
 namespace {
@@ -56,6 +58,7 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
     deck::refuse(
         deck.resolved.at("boundary").location(),
         "nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with displacement");
+  refuse_free_pieces(deck, scene, prescribed_);
   check_finite(deck.steps.count > 0 ? deck.steps.end / deck.steps.count : deck.steps.end);
   check_finite(deck.steps.end);
 }

@@ -36,7 +36,10 @@ const ForceBalance& EquilibriumModel::evaluate(const double* displacement) const
   const bool same = evaluated_ && std::equal(displacement, displacement + force_.size(), trial_.displacement.begin());
   if (!scene_.body().communicator.any(!same)) return balance_;
   evaluated_ = true;
-  mechanics::internal_force(scene_, *committed_, displacement, trial_, force_.data());
+  {
+    const Profile::Scope timed(scene_.body().communicator.profile(), Section::force);
+    mechanics::internal_force(scene_, *committed_, displacement, trial_, force_.data());
+  }
   trial_.t = t_;
   std::vector<double> squares(4, 0.0);
   for (std::size_t u = 0; u < force_.size(); ++u) {

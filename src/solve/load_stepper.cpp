@@ -70,9 +70,11 @@ LoadStepper::LoadStepper(const deck::Deck& deck, const mechanics::Scene& scene)
 
 void LoadStepper::run(Observer& observer) {
   Clock clock(deck_.steps);
+  const Communicator& ranks = scene_.body().communicator;
   const double begin = now();
+  double step_begin = begin;
+  ProfileReading told = ranks.profile().read();  // at the last record
   while (!clock.finished()) {
-    const double step_begin = now();
     const double t = clock.next(committed_.t());
     mechanics::Trial trial;
     std::vector<double> force;
@@ -91,7 +93,11 @@ void LoadStepper::run(Observer& observer) {
     row.seconds = now() - step_begin;
     row.remaining_seconds = (now() - begin) * (deck_.steps.end - t) / t;
     row.last = clock.finished();
+    const ProfileReading reading = ranks.profile().read();
+    row.profile = ranks.slowest(reading - told);
+    told = reading;
     observer.step_committed(row);
+    step_begin = now();
   }
 }
 

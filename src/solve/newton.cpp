@@ -49,8 +49,14 @@ LinearOutcome Newton::Parts::predict(const mechanics::Committed& committed, std:
   const std::vector<double>& start = committed.displacement();
   const std::vector<char>& fixed = boundary.prescribed();
   const std::size_t unknowns = x.size();
-  system.update(committed, start.data());
-  system.update_preconditioner();
+  try {
+    system.update(committed, start.data());
+    system.update_preconditioner();
+  } catch (const std::exception& failure) {  // a matrix that cannot be factorised
+    LinearOutcome outcome;
+    outcome.reason = sentence_of(failure);
+    return outcome;
+  }
   model->evaluate(start.data());
   std::vector<double> jump(unknowns, 0.0), stiff(unknowns);
   for (std::size_t u = 0; u < unknowns; ++u)
@@ -109,10 +115,12 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
 
   std::vector<double> x(committed.displacement().begin(),
                         committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.scene.owned_unknowns()));
-  if (!guess.empty()) x = guess;
+  // A rank without particles has an empty guess also where there is one.
+  const bool guessed = p.scene.body().communicator.any(!guess.empty());
+  if (guessed) x = guess;
   p.boundary.impose(t, x.data());
   bool good_guess = p.boundary.free_count() == 0;
-  if (!guess.empty()) {
+  if (guessed) {
     const ForceBalance& balance = p.model->evaluate(x.data());
     good_guess = good_guess || (balance.finite && balance.relative() < 0.1);
   }

@@ -6,6 +6,8 @@
 #include <stdexcept>
 
 #include "perinox/solve/block_jacobi.hpp"
+#include "perinox/solve/direct_solve.hpp"
+#include "perinox/solve/timed_operator.hpp"
 
 namespace perinox::solve {
 
@@ -93,7 +95,8 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
       solver_(solver),
       map_(mechanics::unknowns_map(scene.body())),
       blocks_(scene.owned_unknowns() * static_cast<std::size_t>(scene.dimension())) {
-  const bool assembled = solver_.tangent == deck::TangentKind::assembled;
+  const bool assembled = solver_.assembled();
+  Profile& profile = scene.body().communicator.profile();
   deck::Preconditioner& kind = solver_.linear.preconditioner;
   if (kind == deck::Preconditioner::automatic)
     kind = assembled ? deck::Preconditioner::symmetric_gauss_seidel : deck::Preconditioner::block_jacobi;
@@ -108,9 +111,13 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
   operator_ = masked_;
   if (assembled) {
     assembled_ = std::make_unique<mechanics::AssembledTangent>(scene, prescribed_);
-    operator_ = assembled_->matrix();
+    operator_ = Teuchos::rcp(new TimedOperator(assembled_->matrix(), profile, Section::product));
   }
-  if (kind == deck::Preconditioner::block_jacobi) {
+  if (solver_.linear.method == deck::LinearMethod::direct) {
+    if (!assembled_) throw std::logic_error("a direct solve without the assembled matrix: the deck refuses it");
+    direct_ = Teuchos::rcp(new DirectSolve(assembled_->matrix(), scene.body().communicator));
+    preconditioner_ = direct_;
+  } else if (kind == deck::Preconditioner::block_jacobi) {
     block_jacobi_ = Teuchos::rcp(new BlockJacobi(map_, scene.dimension(), prescribed_));
     preconditioner_ = block_jacobi_;
   } else if (kind != deck::Preconditioner::none) {
@@ -120,14 +127,21 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
     sparse_->preconditioner = make_sparse(kind, assembled_->matrix());
     preconditioner_ = sparse_->preconditioner;
   }
+  if (!preconditioner_.is_null())
+    preconditioner_ = Teuchos::rcp(new TimedOperator(preconditioner_, profile, Section::preconditioner));
 }
 
 TangentSystem::~TangentSystem() = default;
 
 bool TangentSystem::symmetric() const { return scene_.symmetric(); }
-std::string TangentSystem::preconditioner_name() const { return name_of(solver_.linear.preconditioner); }
+std::string TangentSystem::preconditioner_name() const {
+  if (direct_) return "direct";
+  return name_of(solver_.linear.preconditioner);
+}
 
 void TangentSystem::update(const mechanics::Committed& committed, const double* displacement) {
+  Profile& profile = scene_.body().communicator.profile();
+  const Profile::Scope timed(profile, Section::linearise);
   tangent_->linearise(committed, displacement, solver_.form);
   tangent_->diagonal_blocks(blocks_.data());
   const int d = scene_.dimension();
@@ -142,10 +156,14 @@ void TangentSystem::update(const mechanics::Committed& committed, const double* 
   scene_.body().communicator.sum(sums);
   stiffness_scale_ = sums[1] > 0 && sums[0] > 0 ? std::sqrt(sums[0] / sums[1]) : 1;
   masked_->diagonal = stiffness_scale_;
-  if (assembled_) assembled_->fill(*stored_, stiffness_scale_);
+  if (!assembled_) return;
+  const Profile::Scope filling(profile, Section::assembly);
+  assembled_->fill(*stored_, stiffness_scale_);
 }
 
 void TangentSystem::update_preconditioner() {
+  const Profile::Scope timed(scene_.body().communicator.profile(), Section::preconditioner);
+  if (direct_) direct_->factorise();
   if (block_jacobi_) block_jacobi_->set(blocks_, stiffness_scale_);
   if (!sparse_) return;
   if (!sparse_->initialised) sparse_->preconditioner->initialize();

@@ -155,7 +155,7 @@ const Mistake mistakes[] = {
     {"unknown_word", base, "matrix-free", "matrixfree", "26:12",
      "tangent cannot be 'matrixfree'; did you mean matrix-free?"},
     {"unknown_word_far_from_all", base, "matrix-free", "fast", "26:12",
-     "tangent cannot be 'fast'; it can be matrix-free or assembled"},
+     "tangent cannot be 'fast'; it can be auto, matrix-free or assembled"},
     {"two_dimensions", base, "dimension: 3", "dimension: 2", "2:12",
      "dimension cannot be '2'; it can be 3, plane-strain or plane-stress"},
     {"unknown_model", base, "model: elastic-plastic", "model: elastic-plastik", "13:12",

@@ -100,6 +100,8 @@ TEST(Read, EveryWordReachesItsEnumeration) {
   EXPECT_EQ(with("solver.form=printed").solver.form, TangentForm::printed);
   EXPECT_EQ(with("solver.newton.line_search=full-step").solver.newton.line_search, LineSearch::full_step);
   EXPECT_EQ(with("solver.newton.forcing=constant").solver.newton.forcing, Forcing::constant);
+  EXPECT_EQ(with("solver.tangent=matrix-free").solver.tangent, TangentKind::matrix_free);
+  EXPECT_EQ(with("solver.tangent=auto").solver.tangent, TangentKind::automatic);
   EXPECT_EQ(with("solver.linear.method=cg").solver.linear.method, LinearMethod::cg);
   EXPECT_EQ(with("solver.linear.method=gmres").solver.linear.method, LinearMethod::gmres);
   const std::vector<std::pair<std::string, Preconditioner>> preconditioners{
@@ -114,6 +116,22 @@ TEST(Read, EveryWordReachesItsEnumeration) {
     const Deck deck = read_base({"solver.tangent=assembled", "solver.linear.preconditioner=" + word});
     EXPECT_EQ(deck.solver.linear.preconditioner, value) << word;
   }
+}
+
+TEST(Read, TheTangentIsAssembledOnlyWhereItMustBe) {
+  const auto assembled = [](std::vector<std::string> overrides) {
+    overrides.insert(overrides.begin(), "solver.tangent=auto");
+    return read_base(overrides).solver.assembled();
+  };
+  for (const char* word : {"automatic", "none", "block-jacobi"})
+    EXPECT_FALSE(assembled({std::string("solver.linear.preconditioner=") + word})) << word;
+  for (const char* word : {"jacobi", "symmetric-gauss-seidel", "chebyshev", "ilu"})
+    EXPECT_TRUE(assembled({std::string("solver.linear.preconditioner=") + word})) << word;
+  EXPECT_TRUE(assembled({"solver.linear.method=direct"}));
+  EXPECT_FALSE(assembled({"solver.linear.method=gmres"}));
+  EXPECT_TRUE(assembled({"solver.tangent=assembled"}));
+  EXPECT_EQ(read_base({"solver.tangent=auto", "solver.linear.method=direct"}).solver.linear.method,
+            LinearMethod::direct);
 }
 
 TEST(Read, PlaneDecks) {

@@ -54,6 +54,10 @@ TEST(Ranks, PlasticCubeAssembled) {
           "plastic cube, assembled");
 }
 
+TEST(Ranks, PlasticCubeDirect) {
+  compare(deck_of(pulled_cube(5, 0.05, 2), {"solver.linear.method=direct"}), "plastic cube, direct");
+}
+
 TEST(Ranks, CrackedPlateInPlaneStress) { compare(deck_of(plane_stress_plate), "cracked plate"); }
 
 TEST(Ranks, MoreRanksThanParticles) {
@@ -67,9 +71,10 @@ boundary:
   - {set: first, displacement: {x: 0, y: 0, z: 0}}
   - {set: last, displacement: {x: "0.01*t", y: 0, z: 0}}
   - {set: middle, displacement: {y: 0, z: 0}}
-steps: {end: 1, count: 1}
+steps: {end: 1, count: 3}
 )";
   compare(deck_of(three), "three particles");
+  compare(deck_of(three, {"solver.linear.method=direct"}), "three particles, direct");
 }
 
 }  // namespace

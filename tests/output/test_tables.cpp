@@ -19,12 +19,16 @@ TEST(HistoryTable, HoldsNamedColumnsAndReadsBackToTheSameNumbers) {
   record.dissipated_energy = 0.5;
   record.external_work = 0.625;
   record.seconds = 1.5;
+  record.profile.count[static_cast<std::size_t>(Section::product)] = 51;
+  for (std::size_t s = 0; s < section_count; ++s) record.profile.seconds[s] = 1 + 0.0625 * static_cast<double>(s);
   table.row(record);
   EXPECT_THAT(
       test::file_lines(directory / "history.csv"),  // read while the table is still open
       ElementsAre("step,t,pull,\"a \"\"quoted\"\", name\",stored_energy,dissipated_energy,external_work,"
-                  "newton_iterations,linear_iterations,seconds",
-                  "7,0.10000000000000001,0.33333333333333331,-2.0000000000000001e-300,0.125,0.5,0.625,3,47,1.5"));
+                  "newton_iterations,linear_iterations,seconds,products,seconds_product,seconds_preconditioner,"
+                  "seconds_halo,seconds_assembly,seconds_output,seconds_force,seconds_linearise",
+                  "7,0.10000000000000001,0.33333333333333331,-2.0000000000000001e-300,0.125,0.5,0.625,3,47,1.5,51,"
+                  "1,1.0625,1.125,1.1875,1.375,1.25,1.3125"));
   EXPECT_EQ(table.failure(), "");
 }
 

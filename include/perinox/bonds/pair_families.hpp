@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "perinox/bonds/bonds.hpp"
+#include "perinox/bonds/bond_graph.hpp"
 
 namespace perinox::bonds {
 
@@ -46,6 +46,8 @@ class PairFamilies {
   };
   /// All bonds of all owned particles: [owned][family].
   std::vector<std::vector<Place>> places() const;
+  /// Who is bonded to whom; must not outlive the families. Holds four bytes a directed bond.
+  BondGraph graph() const;
 
  private:
   int owned_ = 0;

@@ -139,11 +139,11 @@ struct Steps {
   bool adaptive = true;  ///< halve a failed step, grow it again
   int max_cuts = 8;      ///< smallest step = (end/count)/2^max_cuts
 };
-enum class TangentKind { matrix_free, assembled };
+enum class TangentKind { automatic, matrix_free, assembled };
 enum class TangentForm { consistent, printed };
 enum class LineSearch { backtrack, full_step };
 enum class Forcing { eisenstat_walker, constant };
-enum class LinearMethod { automatic, cg, gmres };
+enum class LinearMethod { automatic, cg, gmres, direct };
 enum class Preconditioner { automatic, none, block_jacobi, jacobi, symmetric_gauss_seidel, chebyshev, ilu };
 struct Newton {
   double tolerance = 1e-8;         ///< of the force residual, relative to the reactions
@@ -160,10 +160,16 @@ struct Linear {
 };
 struct Solver {
   Location location;
-  TangentKind tangent = TangentKind::matrix_free;
+  TangentKind tangent = TangentKind::automatic;  ///< as asked; assembled() is what is done
   TangentForm form = TangentForm::consistent;
   Newton newton;
   Linear linear;
+
+  /// True if the preconditioner or the direct method works on a matrix.
+  bool needs_matrix() const;
+  /// The tangent that is used: the one asked for, or with `automatic` the matrix only where it is needed, because the
+  /// matrix-free product is several times faster and smaller at every size (docs/performance.md).
+  bool assembled() const;
 };
 
 enum class HistoryKind { reaction, displacement, yielded };

@@ -6,6 +6,7 @@
 
 #include "perinox/body/body.hpp"
 #include "perinox/bonds/bonds.hpp"
+#include "perinox/bonds/components.hpp"
 #include "perinox/bonds/lattice_families.hpp"
 #include "perinox/bonds/pair_families.hpp"
 #include "perinox/materials/material.hpp"
@@ -54,6 +55,8 @@ class Scene {
   std::size_t local_unknowns() const { return static_cast<std::size_t>(body_.local()) * body_.dimension; }
   int largest_family() const { return largest_family_; }
 
+  /// Who is bonded to whom, as the layout has it; the scene must outlive it.
+  bonds::BondGraph bond_graph() const;
   /// The bonds of particle i as the materials see them; makes bonds().
   materials::Family family(LocalIndex i) const;
   /// False where any material's modulus state is not symmetric.

@@ -27,7 +27,8 @@ class GrowingFile {
 };
 
 /// `history.csv`: one row a committed step. Columns: step, t, one for each name, stored_energy, dissipated_energy,
-/// external_work, newton_iterations, linear_iterations, seconds. Numbers as %.17g: they read back to the same double.
+/// external_work, newton_iterations, linear_iterations, seconds, products, and seconds_<section> of each section of the
+/// profile. Numbers as %.17g: they read back to the same double; the sections' seconds with six digits.
 class HistoryTable {
  public:
   HistoryTable(const std::string& path, const std::vector<std::string>& names);

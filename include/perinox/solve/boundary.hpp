@@ -14,7 +14,7 @@ namespace perinox::solve {
 class Boundary {
  public:
   /// Collective. Throws InputError: a formula that is not a finite number at some particle at the first or the last t,
-  /// a table that does not fit, a body that nothing holds.
+  /// a table that does not fit, a body or a piece of one that can move as a whole (rigid_modes.hpp).
   Boundary(const deck::Deck& deck, const mechanics::Scene& scene);
 
   /// [local * dimension], ghosts included: 1 where the displacement is prescribed.

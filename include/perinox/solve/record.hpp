@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "perinox/core/profile.hpp"
+
 namespace perinox::solve {
 
 /// One row of the Newton table and of convergence.csv. Iteration 0 is the state the step starts from.
@@ -35,7 +37,11 @@ struct StepRecord {
   double stored_energy = 0;      ///< at the end of the step
   double dissipated_energy = 0;  ///< since t = 0
   double external_work = 0;      ///< since t = 0
-  double seconds = 0;            ///< wall time of the step
+  double seconds = 0;            ///< wall time of the step, its rejected attempts included
+  /// Where it went: counts of this rank, seconds the largest over the ranks, section by section. From one record to the
+  /// next, so `output` is the time that the observers took since the last record: mostly for the step before this one,
+  /// because a step's own output is still to come when its record is made.
+  ProfileReading profile;
   double remaining_seconds = 0;  ///< estimate to the end
   double end = 0;                ///< t at the end of the run
   std::vector<double> history;   ///< one value per deck.history entry

@@ -9,6 +9,7 @@
 namespace perinox::solve {
 
 class BlockJacobi;
+class DirectSolve;
 
 /// The linear system of one scene: the tangent restricted to the free unknowns (prescribed ones carry a diagonal and
 /// are coupled to nothing, which keeps it symmetric), as an operator, and its preconditioner. Both are updated in
@@ -50,6 +51,7 @@ class TangentSystem {
   Teuchos::RCP<Masked> masked_;
   Teuchos::RCP<BlockJacobi> block_jacobi_;
   std::unique_ptr<Sparse> sparse_;
+  Teuchos::RCP<DirectSolve> direct_;
   Teuchos::RCP<tpetra::Operator> operator_, preconditioner_;
   std::vector<double> blocks_;
   double stiffness_scale_ = 0;
