@@ -25,7 +25,7 @@ const Mistake mistakes[] = {
      "influnce is not a key of a deck; did you mean influence?"},
     {"unknown_key_far_from_all", base, "influence: constant", "gravity: 9.81", "9:1",
      "gravity is not a key of a deck; its keys are title, dimension, body, bond_bodies, horizon, influence, "
-     "quadrature, cracks, materials, sets, boundary, steps, solver, output and history"},
+     "quadrature, deformation, cracks, materials, sets, boundary, steps, solver, output and history"},
     {"unknown_key_of_a_material", base, "yield_stress", "yield_stess", "16:5",
      "yield_stess is not a key of a material; did you mean yield_stress?"},
     {"key_of_another_model", base, "model: elastic-plastic", "model: elastic", "16:5",
