@@ -42,6 +42,11 @@ void Elastic::modulus(const Family& family, const double*, CommittedHistory, dec
   if (with_dilatation_) modulus.add_radial((d * d * bulk_ - alpha * m) / (m * m));  // (26)
 }
 
+ElasticModuli Elastic::elastic_moduli(int dimension) const {
+  // Without the dilatation term W = alpha/2 sum omega e^2, which at e = xi theta/d is (d+2) mu theta^2/(2d).
+  return {with_dilatation_ ? bulk_ : (dimension + 2) * shear_ / dimension, shear_};
+}
+
 std::string Elastic::summary() const {
   return fmt::format("linear peridynamic solid, kappa {:g}, mu {:g}, no history{}", bulk_, shear_,
                      with_dilatation_ ? "" : ", dilatation off");

@@ -112,6 +112,12 @@ void ElasticPlastic::modulus(const Family& family, const double* extension, Comm
   }
 }
 
+ElasticModuli ElasticPlastic::elastic_moduli(int dimension) const {
+  // Without the dilatation term W = alpha/2 sum omega e^2, which at e = xi theta/d is (d+2) mu theta^2/(2d).
+  return {parameters_.with_dilatation ? parameters_.bulk : (dimension + 2) * parameters_.shear / dimension,
+          parameters_.shear};
+}
+
 std::string ElasticPlastic::summary() const {
   return fmt::format(
       "elastic-plastic, k {:g}, mu {:g}, yield {:g} in shear ({:g} in tension), {}, {} yield value, "

@@ -14,6 +14,7 @@ class Elastic : public Material {
                         TrialHistory trial) const override;
   void modulus(const Family& family, const double* extension, CommittedHistory committed, deck::TangentForm form,
                ModulusState& modulus) const override;
+  ElasticModuli elastic_moduli(int dimension) const override;
   std::string summary() const override;
 
  private:
