@@ -1,0 +1,156 @@
+#include "perinox/solve/coarse_grid.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "perinox/solve/coarse_pieces.hpp"
+
+namespace perinox::solve {
+
+CoarseGrid::CoarseGrid(const mechanics::Scene& scene, const std::vector<char>& prescribed, const BondGraph& graph,
+                       double spacing)
+    : scene_(scene), prescribed_(prescribed), cells_(scene.body(), spacing) {
+  const body::Body& body = scene.body();
+  const CoarsePieces pieces(scene, cells_, graph);
+  const auto owned = static_cast<std::size_t>(body.owned);
+
+  std::vector<GlobalId> cell(owned);
+  for (LocalIndex i = 0; i < body.owned; ++i) cell[i] = cells_.cell_at(body.position(i));
+  order_.resize(owned);
+  std::iota(order_.begin(), order_.end(), 0);
+  std::sort(order_.begin(), order_.end(), [&](LocalIndex a, LocalIndex b) {
+    if (cell[a] != cell[b]) return cell[a] < cell[b];
+    const GlobalId pa = pieces.piece(a), pb = pieces.piece(b);
+    return pa != pb ? pa < pb : a < b;
+  });
+
+  const auto corners = static_cast<std::size_t>(cells_.corners());
+  std::vector<GlobalId> ids;  // [elements * corners]
+  for (std::size_t k = 0; k < owned; ++k) {
+    const LocalIndex i = order_[k];
+    const bool same = k > 0 && cell[i] == cell[order_[k - 1]] && pieces.piece(i) == pieces.piece(order_[k - 1]);
+    if (!same) {
+      const CoarseCells::Place place = cells_.cell_place(cell[i]);
+      CoarseElement element{};
+      element.corner = cells_.position(place);
+      element.begin = static_cast<LocalIndex>(k);
+      for (int c = 0; c < cells_.corners(); ++c)
+        ids.push_back(pieces.copy_of(cells_.node_at(place, c), pieces.piece(i)));
+      elements_.push_back(element);
+    }
+    elements_.back().end = static_cast<LocalIndex>(k) + 1;
+  }
+  node_ids_ = ids;
+  std::sort(node_ids_.begin(), node_ids_.end());
+  node_ids_.erase(std::unique(node_ids_.begin(), node_ids_.end()), node_ids_.end());
+  node_ids_.shrink_to_fit();
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    for (std::size_t c = 0; c < corners; ++c) {
+      const auto at = std::lower_bound(node_ids_.begin(), node_ids_.end(), ids[e * corners + c]);
+      elements_[e].node[c] = static_cast<LocalIndex>(at - node_ids_.begin());
+    }
+  for (const GlobalId id : node_ids_) {
+    const std::array<double, 3> x = cells_.position(cells_.node_place(pieces.original(id)));
+    node_positions_.insert(node_positions_.end(), x.begin(), x.begin() + dimension());
+  }
+}
+
+void CoarseGrid::shape_values(const CoarseElement& element, const double* x, double* values) const {
+  for (int c = 0; c < cells_.corners(); ++c) {
+    values[c] = 1;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(dimension()); ++a) {
+      const double s = (x[a] - element.corner[a]) / cells_.size()[a];
+      values[c] *= (c >> a & 1) != 0 ? s : 1 - s;
+    }
+  }
+}
+
+// Inside a cell a d-linear function is a sum of 2^d monomials, bit a of whose number says whether the coordinate on
+// axis a is a factor. Particle by particle only monomials are used; the step between corner values and monomials is
+// done once a cell, axis by axis.
+
+template <int d>
+void CoarseGrid::restrict_points(const double* r, double* coarse) const {
+  constexpr int corners = 1 << d;
+  const std::array<double, 3>& size = cells_.size();
+  for (const CoarseElement& element : elements_) {
+    double sum[corners][d] = {};
+    for (LocalIndex k = element.begin; k < element.end; ++k) {
+      const LocalIndex i = order_[k];
+      const double* x = scene_.body().position(i);
+      double monomial[corners];
+      monomial[0] = 1;
+      for (int a = 0; a < d; ++a) {
+        const double s = (x[a] - element.corner[a]) / size[a];
+        for (int m = 0; m < 1 << a; ++m) monomial[m + (1 << a)] = s * monomial[m];
+      }
+      double value[d];
+      for (int c = 0; c < d; ++c) {
+        const std::size_t u = static_cast<std::size_t>(i) * d + c;
+        value[c] = prescribed_[u] ? 0 : r[u];
+      }
+      for (int m = 0; m < corners; ++m)
+        for (int c = 0; c < d; ++c) sum[m][c] += monomial[m] * value[c];
+    }
+    for (int a = 0; a < d; ++a)
+      for (int m = 0; m < corners; ++m)
+        if ((m >> a & 1) == 0)
+          for (int c = 0; c < d; ++c) sum[m][c] -= sum[m + (1 << a)][c];
+    for (int m = 0; m < corners; ++m)
+      for (int c = 0; c < d; ++c) coarse[static_cast<std::size_t>(element.node[m]) * d + c] += sum[m][c];
+  }
+}
+
+template <int d>
+void CoarseGrid::interpolate_points(const double* coarse, double* z) const {
+  constexpr int corners = 1 << d;
+  const std::array<double, 3>& size = cells_.size();
+  for (const CoarseElement& element : elements_) {
+    double coefficient[corners][d];
+    for (int m = 0; m < corners; ++m)
+      for (int c = 0; c < d; ++c) coefficient[m][c] = coarse[static_cast<std::size_t>(element.node[m]) * d + c];
+    for (int a = 0; a < d; ++a)
+      for (int m = 0; m < corners; ++m)
+        if ((m >> a & 1) == 0)
+          for (int c = 0; c < d; ++c) coefficient[m + (1 << a)][c] -= coefficient[m][c];
+    for (LocalIndex k = element.begin; k < element.end; ++k) {
+      const LocalIndex i = order_[k];
+      const double* x = scene_.body().position(i);
+      double monomial[corners];
+      monomial[0] = 1;
+      for (int a = 0; a < d; ++a) {
+        const double s = (x[a] - element.corner[a]) / size[a];
+        for (int m = 0; m < 1 << a; ++m) monomial[m + (1 << a)] = s * monomial[m];
+      }
+      double value[d] = {};
+      for (int m = 0; m < corners; ++m)
+        for (int c = 0; c < d; ++c) value[c] += monomial[m] * coefficient[m][c];
+      for (int c = 0; c < d; ++c) {
+        const std::size_t u = static_cast<std::size_t>(i) * d + c;
+        if (!prescribed_[u]) z[u] += value[c];
+      }
+    }
+  }
+}
+
+void CoarseGrid::restrict_to_nodes(const double* r, double* coarse) const {
+  std::fill_n(coarse, unknowns(), 0.0);
+  if (dimension() == 3)
+    restrict_points<3>(r, coarse);
+  else
+    restrict_points<2>(r, coarse);
+}
+
+void CoarseGrid::add_interpolated(const double* coarse, double* z) const {
+  if (dimension() == 3)
+    interpolate_points<3>(coarse, z);
+  else
+    interpolate_points<2>(coarse, z);
+}
+
+std::size_t CoarseGrid::bytes() const {
+  return elements_.capacity() * sizeof(CoarseElement) + order_.capacity() * sizeof(LocalIndex) +
+         node_ids_.capacity() * sizeof(GlobalId) + node_positions_.capacity() * sizeof(double);
+}
+
+}  // namespace perinox::solve
