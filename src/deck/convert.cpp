@@ -110,10 +110,10 @@ Enumeration convert_word(const Value& map, const std::string& key, const std::ve
 void refuse_unfit_preconditioner(const Solver& solver, const Value& word) {
   const Preconditioner kind = solver.linear.preconditioner;
   if (solver.tangent == TangentKind::assembled || kind == Preconditioner::automatic || kind == Preconditioner::none ||
-      kind == Preconditioner::block_jacobi)
+      kind == Preconditioner::two_level || kind == Preconditioner::block_jacobi)
     return;
   refuse(word.location(), fmt::format("the preconditioner {} needs the assembled matrix; write tangent: assembled in "
-                                      "solver, or take block-jacobi",
+                                      "solver, or take two-level",
                                       word.text()));
 }
 

@@ -58,6 +58,31 @@ UnitStiffness unit_stiffness(const CoarseCells& cells, bool reduced_volumetric) 
   return unit;
 }
 
+/// Moduli of a particle: its material's, or where several materials are in use the mean over it and its family.
+class Moduli {
+ public:
+  Moduli(const mechanics::Scene& scene, const BondGraph& graph) : material_(scene.body().material), graph_(graph) {
+    for (const auto& material : scene.materials()) moduli_.push_back(material->elastic_moduli(scene.dimension()));
+  }
+  materials::ElasticModuli of(LocalIndex i) const {
+    if (moduli_.size() == 1) return moduli_.front();
+    graph_(i, neighbors_);
+    materials::ElasticModuli mean = moduli_[static_cast<std::size_t>(material_[i])];
+    for (const LocalIndex j : neighbors_) {
+      mean.bulk += moduli_[static_cast<std::size_t>(material_[j])].bulk;
+      mean.shear += moduli_[static_cast<std::size_t>(material_[j])].shear;
+    }
+    const auto count = static_cast<double>(neighbors_.size() + 1);
+    return {mean.bulk / count, mean.shear / count};
+  }
+
+ private:
+  const std::vector<int>& material_;
+  const BondGraph& graph_;
+  std::vector<materials::ElasticModuli> moduli_;
+  mutable std::vector<LocalIndex> neighbors_;
+};
+
 CoarseMatrix pattern(const CoarseGrid& grid) {
   const std::size_t nodes = grid.node_ids().size(), corners = static_cast<std::size_t>(grid.cells().corners());
   std::vector<std::vector<LocalIndex>> beside(nodes);
@@ -89,20 +114,21 @@ double* CoarseMatrix::block(LocalIndex row, LocalIndex column_node) {
   return &value[static_cast<std::size_t>(at) * static_cast<std::size_t>(dimension * dimension)];
 }
 
-CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, bool reduced_volumetric) {
+CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, const BondGraph& graph,
+                               bool reduced_volumetric) {
   const UnitStiffness unit = unit_stiffness(grid.cells(), reduced_volumetric);
   const int d = grid.dimension(), corners = grid.cells().corners();
   const auto n = static_cast<std::size_t>(unit.unknowns);
-  std::vector<materials::ElasticModuli> moduli;
-  for (const auto& material : scene.materials()) moduli.push_back(material->elastic_moduli(d));
+  const Moduli moduli(scene, graph);
   CoarseMatrix matrix = pattern(grid);
   for (const CoarseElement& element : grid.elements()) {
     double bulk = 0, shear = 0;
     for (LocalIndex k = element.begin; k < element.end; ++k) {
       const LocalIndex i = grid.particle(k);
       const double share = scene.body().volume[i] / grid.cells().volume();
-      bulk += share * moduli[scene.body().material[i]].bulk;
-      shear += share * moduli[scene.body().material[i]].shear;
+      const materials::ElasticModuli own = moduli.of(i);
+      bulk += share * own.bulk;
+      shear += share * own.shear;
     }
     for (int a = 0; a < corners; ++a)
       for (int b = 0; b < corners; ++b) {

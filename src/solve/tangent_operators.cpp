@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "perinox/solve/block_jacobi.hpp"
+#include "perinox/solve/two_level.hpp"
 
 namespace perinox::solve {
 
@@ -45,6 +46,8 @@ std::string name_of(deck::Preconditioner kind) {
   switch (kind) {
     case deck::Preconditioner::none:
       return "none";
+    case deck::Preconditioner::two_level:
+      return "two-level";
     case deck::Preconditioner::block_jacobi:
       return "block-jacobi";
     case deck::Preconditioner::jacobi:
@@ -97,7 +100,9 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
   const bool assembled = solver_.tangent == deck::TangentKind::assembled;
   deck::Preconditioner& kind = solver_.linear.preconditioner;
   if (kind == deck::Preconditioner::automatic)
-    kind = assembled ? deck::Preconditioner::symmetric_gauss_seidel : deck::Preconditioner::block_jacobi;
+    kind = assembled                         ? deck::Preconditioner::symmetric_gauss_seidel
+           : TwoLevel::worth_its_cost(scene) ? deck::Preconditioner::two_level
+                                             : deck::Preconditioner::block_jacobi;
   masked_ = Teuchos::rcp(new Masked(map_, tangent_, prescribed_));
   operator_ = masked_;
   if (assembled) {
@@ -107,6 +112,9 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
   if (kind == deck::Preconditioner::block_jacobi) {
     block_jacobi_ = Teuchos::rcp(new BlockJacobi(map_, scene.dimension(), prescribed_));
     preconditioner_ = block_jacobi_;
+  } else if (kind == deck::Preconditioner::two_level) {
+    two_level_ = Teuchos::rcp(new TwoLevel(map_, scene, prescribed_, bond_graph(scene), {}));
+    preconditioner_ = two_level_;
   } else if (kind != deck::Preconditioner::none) {
     if (!assembled_)
       throw std::logic_error("a sparse preconditioner without the assembled matrix: the deck refuses it");
@@ -141,6 +149,7 @@ void TangentSystem::update(const mechanics::Committed& committed, const double* 
 
 void TangentSystem::update_preconditioner() {
   if (block_jacobi_) block_jacobi_->set(blocks_, stiffness_scale_);
+  if (two_level_) two_level_->set(blocks_, stiffness_scale_);
   if (!sparse_) return;
   if (!sparse_->initialised) sparse_->preconditioner->initialize();
   sparse_->initialised = true;

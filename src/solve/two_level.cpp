@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace perinox::solve {
 
@@ -16,7 +17,22 @@ constexpr double least_spring = 0.1;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+/// Below two spacings a cell would have about as many unknowns as its particles.
+double cell_edge(const mechanics::Scene& scene, double over_horizon) {
+  const body::Body& body = scene.body();
+  double volume = 0;
+  for (LocalIndex i = 0; i < body.owned; ++i) volume += body.volume[i];
+  const double spacing =
+      std::pow(body.communicator.sum(volume) / static_cast<double>(body.total), 1.0 / body.dimension);
+  return std::max(over_horizon * scene.bonds().horizon, 2 * spacing);
+}
+
 }  // namespace
+
+bool TwoLevel::worth_its_cost(const mechanics::Scene& scene) {
+  const CoarseCells cells(scene.body(), cell_edge(scene, Settings().cell));
+  return *std::max_element(cells.counts().begin(), cells.counts().end()) > 2;
+}
 
 TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene,
                    const std::vector<char>& prescribed, const BondGraph& graph, const Settings& settings)
@@ -26,7 +42,7 @@ TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& 
       graph_(graph),
       settings_(settings),
       block_jacobi_(map, scene.dimension(), prescribed),
-      grid_(scene, prescribed, graph, settings.cell * scene.bonds().horizon),
+      grid_(scene, prescribed, graph, cell_edge(scene, settings.cell)),
       right_(grid_.unknowns()),
       solution_(grid_.unknowns()) {}
 
@@ -55,13 +71,15 @@ std::vector<double> TwoLevel::springs(const std::vector<double>& blocks) const {
 void TwoLevel::set(const std::vector<double>& blocks, double diagonal) {
   block_jacobi_.set(blocks, diagonal);
   if (solver_) return;
-  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, settings_.reduced_volumetric);
+  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, settings_.reduced_volumetric);
   add_springs(scene_, grid_, springs(blocks), matrix);
   for (std::size_t n = 0; n < grid_.node_ids().size(); ++n) {
     double* block = matrix.block(static_cast<LocalIndex>(n), static_cast<LocalIndex>(n));
     for (int c = 0; c < matrix.dimension; ++c) block[c * (matrix.dimension + 1)] *= 1 + grounding;
   }
-  solver_ = factorised_coarse_solver(scene_.body().communicator, grid_, matrix);
+  const Communicator& ranks = scene_.body().communicator;
+  solver_ = coarse_unknowns(ranks, grid_) <= settings_.factorised_up_to ? factorised_coarse_solver(ranks, grid_, matrix)
+                                                                        : multigrid_coarse_solver(ranks, grid_, matrix);
 }
 
 void TwoLevel::multiply(const double* x, double* y) const {

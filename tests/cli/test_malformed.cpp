@@ -201,13 +201,13 @@ const Mistake mistakes_in_decks[] = {
      "acos(1 + x)"},
     {"ilu_without_a_matrix", &base_deck, "preconditioner: automatic", "preconditioner: ilu",
      "deck.yaml:27:28: the preconditioner ilu needs the assembled matrix; write tangent: assembled in solver, or "
-     "take block-jacobi"},
+     "take two-level"},
     {"chebyshev_without_a_matrix", &base_deck, "preconditioner: automatic", "preconditioner: chebyshev",
      "deck.yaml:27:28: the preconditioner chebyshev needs the assembled matrix; write tangent: assembled in "
-     "solver, or take block-jacobi"},
+     "solver, or take two-level"},
     {"gauss_seidel_without_a_matrix", &base_deck, "preconditioner: automatic", "preconditioner: symmetric-gauss-seidel",
      "deck.yaml:27:28: the preconditioner symmetric-gauss-seidel needs the assembled matrix; write tangent: "
-     "assembled in solver, or take block-jacobi"},
+     "assembled in solver, or take two-level"},
 };
 
 struct FileMistake {

@@ -18,6 +18,8 @@ class CoarseCells {
   int dimension() const { return dimension_; }
   int corners() const { return dimension_ == 3 ? 8 : 4; }
   const std::array<double, 3>& size() const { return size_; }
+  /// Cells on each axis; 1 in z in 2-D.
+  const Place& counts() const { return cells_; }
   /// Product of the edges, length^dimension.
   double volume() const;
   /// Nodes of the full grid: keys of nodes are smaller.

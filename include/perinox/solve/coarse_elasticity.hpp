@@ -20,9 +20,11 @@ struct CoarseMatrix {
 /// Local linear elasticity on the coarse grid,
 ///     a(u, v) = int kappa div u div v + 2 mu dev e(u) : dev e(v),
 /// with d-linear elements and the material of the particles in each cell: moduli are volume-weighted means times the
-/// filled share of the cell. reduced_volumetric: one integration point for the kappa part, so that nearly
-/// incompressible cells do not lock.
-CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, bool reduced_volumetric);
+/// filled share of the cell. Where materials meet, a particle counts with the mean over its family: the bonds of stiff
+/// particles stiffen a layer of soft ones as thick as the horizon. reduced_volumetric: one integration point for the
+/// kappa part, so that nearly incompressible cells do not lock.
+CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, const BondGraph& graph,
+                               bool reduced_volumetric);
 
 /// Adds springs to the ground at particles: c -> sum_u stiffness_u (P c)_u^2, P without its zeros on prescribed
 /// unknowns. stiffness: [owned * dimension], zero where there is none.

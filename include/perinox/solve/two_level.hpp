@@ -14,10 +14,14 @@ namespace perinox::solve {
 class TwoLevel : public OwnedOperator {
  public:
   struct Settings {
-    double cell = 1;                  ///< edge of the grid's cells over the horizon
-    bool reduced_volumetric = false;  ///< see coarse_elasticity
-    double spring = 1;                ///< scale of the springs that stand for prescribed unknowns
+    double cell = 1;                    ///< edge of the grid's cells over the horizon; two spacings at least
+    bool reduced_volumetric = false;    ///< see coarse_elasticity
+    double spring = 1;                  ///< scale of the springs that stand for prescribed unknowns
+    long long factorised_up_to = 2500;  ///< coarse unknowns up to which they are factorised
   };
+
+  /// False for a body of two cells at most on every axis: D alone does as well there. Collective.
+  static bool worth_its_cost(const mechanics::Scene& scene);
 
   /// prescribed: [local * dimension], ghosts up to date; kept by reference, as is the scene. Collective.
   TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene, const std::vector<char>& prescribed,
