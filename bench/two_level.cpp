@@ -128,7 +128,7 @@ void run(int argc, char** argv) {
   settings.cell = options.number("cell", settings.cell);
   settings.reduced_volumetric = options.number("reduced", settings.reduced_volumetric) > 0;
   settings.spring = options.number("spring", settings.spring);
-  settings.factorised_up_to = static_cast<long long>(options.number("direct", 20000));
+  settings.factorised_up_to = static_cast<long long>(options.number("direct", static_cast<double>(settings.factorised_up_to)));
   const double start = now();
   solve::TwoLevel two_level(mechanics::unknowns_map(scene.body()), scene, fixed, solve::bond_graph(scene), settings);
   const double gridded = now();

@@ -1,5 +1,6 @@
 #include "perinox/solve/coarse_grid.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <numeric>
 
@@ -69,66 +70,64 @@ void CoarseGrid::shape_values(const CoarseElement& element, const double* x, dou
 // axis a is a factor. Particle by particle only monomials are used; the step between corner values and monomials is
 // done once a cell, axis by axis.
 
+// Components are padded to four, which fills the lanes of the processor's vectors.
+
+namespace {
+
+/// Values of the monomials at x.
+template <int d>
+Eigen::Matrix<double, 1, (1 << d)> monomials(const double* x, const CoarseElement& element, const double* over_size) {
+  Eigen::Matrix<double, 1, (1 << d)> value;
+  value[0] = 1;
+  for (int a = 0; a < d; ++a) {
+    const double s = (x[a] - element.corner[static_cast<std::size_t>(a)]) * over_size[a];
+    for (int m = 0; m < 1 << a; ++m) value[m + (1 << a)] = s * value[m];
+  }
+  return value;
+}
+
+}  // namespace
+
 template <int d>
 void CoarseGrid::restrict_points(const double* r, double* coarse) const {
   constexpr int corners = 1 << d;
-  const std::array<double, 3>& size = cells_.size();
+  double over_size[d];
+  for (int a = 0; a < d; ++a) over_size[a] = 1 / cells_.size()[static_cast<std::size_t>(a)];
+  Eigen::Vector4d value = Eigen::Vector4d::Zero();
   for (const CoarseElement& element : elements_) {
-    double sum[corners][d] = {};
+    Eigen::Matrix<double, 4, corners> sum = Eigen::Matrix<double, 4, corners>::Zero();
     for (LocalIndex k = element.begin; k < element.end; ++k) {
       const LocalIndex i = order_[k];
-      const double* x = scene_.body().position(i);
-      double monomial[corners];
-      monomial[0] = 1;
-      for (int a = 0; a < d; ++a) {
-        const double s = (x[a] - element.corner[a]) / size[a];
-        for (int m = 0; m < 1 << a; ++m) monomial[m + (1 << a)] = s * monomial[m];
-      }
-      double value[d];
-      for (int c = 0; c < d; ++c) {
-        const std::size_t u = static_cast<std::size_t>(i) * d + c;
-        value[c] = prescribed_[u] ? 0 : r[u];
-      }
-      for (int m = 0; m < corners; ++m)
-        for (int c = 0; c < d; ++c) sum[m][c] += monomial[m] * value[c];
+      const std::size_t first = static_cast<std::size_t>(i) * d;
+      for (int c = 0; c < d; ++c) value[c] = prescribed_[first + c] ? 0 : r[first + c];
+      sum.noalias() += value * monomials<d>(scene_.body().position(i), element, over_size);
     }
     for (int a = 0; a < d; ++a)
       for (int m = 0; m < corners; ++m)
-        if ((m >> a & 1) == 0)
-          for (int c = 0; c < d; ++c) sum[m][c] -= sum[m + (1 << a)][c];
+        if ((m >> a & 1) == 0) sum.col(m) -= sum.col(m + (1 << a));
     for (int m = 0; m < corners; ++m)
-      for (int c = 0; c < d; ++c) coarse[static_cast<std::size_t>(element.node[m]) * d + c] += sum[m][c];
+      for (int c = 0; c < d; ++c) coarse[static_cast<std::size_t>(element.node[m]) * d + c] += sum(c, m);
   }
 }
 
 template <int d>
 void CoarseGrid::interpolate_points(const double* coarse, double* z) const {
   constexpr int corners = 1 << d;
-  const std::array<double, 3>& size = cells_.size();
+  double over_size[d];
+  for (int a = 0; a < d; ++a) over_size[a] = 1 / cells_.size()[static_cast<std::size_t>(a)];
+  Eigen::Matrix<double, 4, corners> coefficient = Eigen::Matrix<double, 4, corners>::Zero();
   for (const CoarseElement& element : elements_) {
-    double coefficient[corners][d];
     for (int m = 0; m < corners; ++m)
-      for (int c = 0; c < d; ++c) coefficient[m][c] = coarse[static_cast<std::size_t>(element.node[m]) * d + c];
+      for (int c = 0; c < d; ++c) coefficient(c, m) = coarse[static_cast<std::size_t>(element.node[m]) * d + c];
     for (int a = 0; a < d; ++a)
       for (int m = 0; m < corners; ++m)
-        if ((m >> a & 1) == 0)
-          for (int c = 0; c < d; ++c) coefficient[m + (1 << a)][c] -= coefficient[m][c];
+        if ((m >> a & 1) == 0) coefficient.col(m + (1 << a)) -= coefficient.col(m);
     for (LocalIndex k = element.begin; k < element.end; ++k) {
       const LocalIndex i = order_[k];
-      const double* x = scene_.body().position(i);
-      double monomial[corners];
-      monomial[0] = 1;
-      for (int a = 0; a < d; ++a) {
-        const double s = (x[a] - element.corner[a]) / size[a];
-        for (int m = 0; m < 1 << a; ++m) monomial[m + (1 << a)] = s * monomial[m];
-      }
-      double value[d] = {};
-      for (int m = 0; m < corners; ++m)
-        for (int c = 0; c < d; ++c) value[c] += monomial[m] * coefficient[m][c];
-      for (int c = 0; c < d; ++c) {
-        const std::size_t u = static_cast<std::size_t>(i) * d + c;
-        if (!prescribed_[u]) z[u] += value[c];
-      }
+      const std::size_t first = static_cast<std::size_t>(i) * d;
+      Eigen::Vector4d value;
+      value.noalias() = coefficient * monomials<d>(scene_.body().position(i), element, over_size).transpose();
+      for (int c = 0; c < d; ++c) z[first + c] += prescribed_[first + c] ? 0 : value[c];
     }
   }
 }

@@ -85,13 +85,10 @@ class Multigrid : public CoarseSolver {
     held_solution_ = rcp(new tpetra::Vector(held_map_));
 
     RCP<tpetra::Matrix> shares = share_of(matrix, d);
-    matrix_ = shares;
-    if (ranks.size() > 1) {
-      shares->fillComplete(owned_map_, owned_map_);
-      matrix_ = rcp(new tpetra::Matrix(owned_map_, 81));
-      matrix_->doExport(*shares, *to_owners_, Tpetra::ADD);
-    }
-    matrix_->fillComplete(owned_map_, owned_map_);
+    shares->fillComplete(owned_map_, owned_map_);
+    matrix_ = ranks.size() == 1
+                  ? shares
+                  : Tpetra::exportAndFillCompleteCrsMatrix<tpetra::Matrix>(shares, *to_owners_, owned_map_, owned_map_);
 
     // Positions of the owned nodes.
     Tpetra::MultiVector<double, LocalIndex, GlobalId> held_positions(held, d), own_positions(owned, d);
@@ -100,11 +97,14 @@ class Multigrid : public CoarseSolver {
         held_positions.replaceLocalValue(static_cast<LocalIndex>(n), c, grid.node_positions()[n * d + c]);
     const tpetra::Export gather(held, owned);
     own_positions.doExport(held_positions, gather, Tpetra::REPLACE);
+    auto coordinates = rcp(new tpetra::MultiVector(unknowns_of(owned_numbers, 1, comm), d));
     std::vector<double> positions(static_cast<std::size_t>(owned_count) * d);
     for (std::size_t c = 0; c < d; ++c) {
       const auto values = own_positions.getData(c);
-      for (std::size_t n = 0; n < static_cast<std::size_t>(owned_count); ++n)
+      for (std::size_t n = 0; n < static_cast<std::size_t>(owned_count); ++n) {
         positions[n * d + c] = values[static_cast<int>(n)];
+        coordinates->replaceLocalValue(static_cast<LocalIndex>(n), c, positions[n * d + c]);
+      }
     }
 
     Teuchos::ParameterList list;
@@ -114,12 +114,24 @@ class Multigrid : public CoarseSolver {
     list.set("multigrid algorithm", "sa");
     // Measured on 14 739 unknowns: Chebyshev of degree 2 costs half of one symmetric Gauss-Seidel sweep (its products
     // run over contiguous memory) and gives the same iterations, 16; of degree 1 it gives 19 to 20.
-    list.set("coarse: max size", 500);
+    // Two levels at least: see below.
+    const auto unknowns = static_cast<GlobalId>(owned_map_->getGlobalNumElements());
+    list.set("coarse: max size", static_cast<int>(std::min<GlobalId>(500, unknowns / 4)));
     list.set("smoother: type", "CHEBYSHEV");
     auto& smoother = list.sublist("smoother: params");
     smoother.set("chebyshev: degree", 2);
     smoother.set("chebyshev: ratio eigenvalue", 20.0);
     list.sublist("user data").set("Nullspace", rigid_motions(owned_map_, positions, d));
+    if (ranks.size() > 1) {
+      // Levels that would leave a rank only a few rows move to fewer ranks, the last one to a single rank: small levels
+      // are all latency, and the packaged KLU2 solves wrongly on several ranks.
+      list.set("repartition: enable", true);
+      list.set("repartition: start level", 1);
+      list.set("repartition: min rows per proc", 2000);
+      list.set("repartition: partitioner", "zoltan2");
+      list.sublist("repartition: params").set("algorithm", "multijagged");
+      list.sublist("user data").set("Coordinates", Teuchos::rcp_implicit_cast<tpetra::MultiVector>(coordinates));
+    }
     const RCP<tpetra::Operator> as_operator = matrix_;
     cycle_ = MueLu::CreateTpetraPreconditioner(as_operator, list);
   }

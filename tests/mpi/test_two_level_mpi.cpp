@@ -22,7 +22,7 @@ TEST(TwoLevelRanks, Cube) { compare("cube", held_cube(12)); }
 TEST(TwoLevelRanks, VCycle) {
   solve::TwoLevel::Settings settings;
   settings.factorised_up_to = 0;
-  compare("cube, V-cycle", held_cube(12), settings);
+  compare("cube, V-cycle", held_cube(16), settings);
 }
 
 TEST(TwoLevelRanks, Crack) {
