@@ -1,7 +1,7 @@
 /// Counts and costs of the two-level preconditioner: conjugate gradients to 1e-8 at the undeformed tangent.
 ///     build/bench_two_level <scene> <n> [key=value ...]
 /// scenes: cube, perforated, jittered, crack, contrast, plate-strain, plate-stress, points. keys: nu, cell (edge over
-/// horizon), level (1: block Jacobi only), reduced, spring, ratio (horizon over spacing).
+/// horizon), level (1: block Jacobi only), bulk_limit, spring, ratio (horizon over spacing).
 #include "perinox/solve/two_level.hpp"
 
 #include <fmt/format.h>
@@ -126,9 +126,11 @@ void run(int argc, char** argv) {
 
   solve::TwoLevel::Settings settings;
   settings.cell = options.number("cell", settings.cell);
-  settings.reduced_volumetric = options.number("reduced", settings.reduced_volumetric) > 0;
+  settings.cell_nearly_incompressible = options.number("cell", settings.cell_nearly_incompressible);
+  settings.bulk_limit = options.number("bulk_limit", settings.bulk_limit);
   settings.spring = options.number("spring", settings.spring);
-  settings.factorised_up_to = static_cast<long long>(options.number("direct", static_cast<double>(settings.factorised_up_to)));
+  settings.factorised_up_to =
+      static_cast<long long>(options.number("direct", static_cast<double>(settings.factorised_up_to)));
   const double start = now();
   solve::TwoLevel two_level(mechanics::unknowns_map(scene.body()), scene, fixed, solve::bond_graph(scene), settings);
   const double gridded = now();

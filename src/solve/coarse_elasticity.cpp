@@ -25,12 +25,12 @@ void gradients(const CoarseCells& cells, const std::array<double, 3>& s, std::ve
     }
 }
 
-UnitStiffness unit_stiffness(const CoarseCells& cells, bool reduced_volumetric) {
+UnitStiffness unit_stiffness(const CoarseCells& cells) {
   const auto d = static_cast<std::size_t>(cells.dimension()), corners = static_cast<std::size_t>(cells.corners());
   const std::size_t n = corners * d;
   UnitStiffness unit{static_cast<int>(n), std::vector<double>(n * n), std::vector<double>(n * n)};
   std::vector<std::array<double, 3>> g(corners);
-  const auto add = [&](double weight, bool bulk, bool shear) {
+  const auto add = [&](double weight) {
     for (std::size_t p = 0; p < n; ++p)
       for (std::size_t q = 0; q < n; ++q) {
         // Unknown p moves corner p/d along axis p%d: e = sym(g e_axis), div = g_axis.
@@ -40,8 +40,8 @@ UnitStiffness unit_stiffness(const CoarseCells& cells, bool reduced_volumetric) 
         double dot = 0;
         for (std::size_t c = 0; c < d; ++c) dot += gp[c] * gq[c];
         const double strain = ((a == b ? dot : 0) + gp[b] * gq[a]) / 2;  // e(u) : e(v)
-        if (bulk) unit.bulk[p * n + q] += weight * divergence;
-        if (shear) unit.shear[p * n + q] += weight * 2 * (strain - divergence / static_cast<double>(d));
+        unit.bulk[p * n + q] += weight * divergence;
+        unit.shear[p * n + q] += weight * 2 * (strain - divergence / static_cast<double>(d));
       }
   };
   const double volume = cells.volume(), gauss = 0.5 / std::sqrt(3.0);
@@ -49,11 +49,7 @@ UnitStiffness unit_stiffness(const CoarseCells& cells, bool reduced_volumetric) 
     std::array<double, 3> s{};
     for (std::size_t a = 0; a < d; ++a) s[a] = (point >> a & 1) != 0 ? 0.5 + gauss : 0.5 - gauss;
     gradients(cells, s, g);
-    add(volume / static_cast<double>(corners), !reduced_volumetric, true);
-  }
-  if (reduced_volumetric) {
-    gradients(cells, {0.5, 0.5, 0.5}, g);
-    add(volume, true, false);
+    add(volume / static_cast<double>(corners));
   }
   return unit;
 }
@@ -115,8 +111,8 @@ double* CoarseMatrix::block(LocalIndex row, LocalIndex column_node) {
 }
 
 CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, const BondGraph& graph,
-                               bool reduced_volumetric) {
-  const UnitStiffness unit = unit_stiffness(grid.cells(), reduced_volumetric);
+                               double bulk_limit) {
+  const UnitStiffness unit = unit_stiffness(grid.cells());
   const int d = grid.dimension(), corners = grid.cells().corners();
   const auto n = static_cast<std::size_t>(unit.unknowns);
   const Moduli moduli(scene, graph);
@@ -130,6 +126,7 @@ CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& 
       bulk += share * own.bulk;
       shear += share * own.shear;
     }
+    bulk = std::min(bulk, bulk_limit * shear);
     for (int a = 0; a < corners; ++a)
       for (int b = 0; b < corners; ++b) {
         double* block = matrix.block(element.node[a], element.node[b]);

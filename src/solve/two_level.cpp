@@ -14,11 +14,19 @@ constexpr double grounding = 1e-10;
 /// Least share of a prescribed particle's stiffness that holds the coarse grid: nodes deep inside a support would float
 /// without it.
 constexpr double least_spring = 0.1;
+/// kappa/mu above which finer cells pay.
+constexpr double nearly_incompressible = 20;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Below two spacings a cell would have about as many unknowns as its particles.
-double cell_edge(const mechanics::Scene& scene, double over_horizon) {
+double cell_edge(const mechanics::Scene& scene, const TwoLevel::Settings& settings) {
+  double over_horizon = settings.cell;
+  for (const auto& material : scene.materials()) {
+    const materials::ElasticModuli moduli = material->elastic_moduli(scene.dimension());
+    if (moduli.bulk > nearly_incompressible * moduli.shear)
+      over_horizon = std::min(over_horizon, settings.cell_nearly_incompressible);
+  }
   const body::Body& body = scene.body();
   double volume = 0;
   for (LocalIndex i = 0; i < body.owned; ++i) volume += body.volume[i];
@@ -30,7 +38,7 @@ double cell_edge(const mechanics::Scene& scene, double over_horizon) {
 }  // namespace
 
 bool TwoLevel::worth_its_cost(const mechanics::Scene& scene) {
-  const CoarseCells cells(scene.body(), cell_edge(scene, Settings().cell));
+  const CoarseCells cells(scene.body(), cell_edge(scene, Settings()));
   return *std::max_element(cells.counts().begin(), cells.counts().end()) > 2;
 }
 
@@ -42,7 +50,7 @@ TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& 
       graph_(graph),
       settings_(settings),
       block_jacobi_(map, scene.dimension(), prescribed),
-      grid_(scene, prescribed, graph, cell_edge(scene, settings.cell)),
+      grid_(scene, prescribed, graph, cell_edge(scene, settings)),
       right_(grid_.unknowns()),
       solution_(grid_.unknowns()) {}
 
@@ -71,7 +79,7 @@ std::vector<double> TwoLevel::springs(const std::vector<double>& blocks) const {
 void TwoLevel::set(const std::vector<double>& blocks, double diagonal) {
   block_jacobi_.set(blocks, diagonal);
   if (solver_) return;
-  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, settings_.reduced_volumetric);
+  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, settings_.bulk_limit);
   add_springs(scene_, grid_, springs(blocks), matrix);
   for (std::size_t n = 0; n < grid_.node_ids().size(); ++n) {
     double* block = matrix.block(static_cast<LocalIndex>(n), static_cast<LocalIndex>(n));

@@ -21,10 +21,10 @@ struct CoarseMatrix {
 ///     a(u, v) = int kappa div u div v + 2 mu dev e(u) : dev e(v),
 /// with d-linear elements and the material of the particles in each cell: moduli are volume-weighted means times the
 /// filled share of the cell. Where materials meet, a particle counts with the mean over its family: the bonds of stiff
-/// particles stiffen a layer of soft ones as thick as the horizon. reduced_volumetric: one integration point for the
-/// kappa part, so that nearly incompressible cells do not lock.
+/// particles stiffen a layer of soft ones as thick as the horizon. kappa counts up to bulk_limit mu: beyond it
+/// smoothed aggregation loses its quality, and the fine level's nonlocal dilatation is not that stiff anyway.
 CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, const BondGraph& graph,
-                               bool reduced_volumetric);
+                               double bulk_limit);
 
 /// Adds springs to the ground at particles: c -> sum_u stiffness_u (P c)_u^2, P without its zeros on prescribed
 /// unknowns. stiffness: [owned * dimension], zero where there is none.

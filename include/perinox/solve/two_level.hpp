@@ -14,10 +14,11 @@ namespace perinox::solve {
 class TwoLevel : public OwnedOperator {
  public:
   struct Settings {
-    double cell = 1;                    ///< edge of the grid's cells over the horizon; two spacings at least
-    bool reduced_volumetric = false;    ///< see coarse_elasticity
-    double spring = 1;                  ///< scale of the springs that stand for prescribed unknowns
-    long long factorised_up_to = 2500;  ///< coarse unknowns up to which they are factorised
+    double cell = 1;                           ///< edge of the grid's cells over the horizon; two spacings at least
+    double cell_nearly_incompressible = 0.67;  ///< the same, where a material has kappa/mu above 20 (nu about 0.476)
+    double bulk_limit = 8;                     ///< see coarse_elasticity
+    double spring = 1;                         ///< scale of the springs that stand for prescribed unknowns
+    long long factorised_up_to = 2500;         ///< coarse unknowns up to which they are factorised
   };
 
   /// False for a body of two cells at most on every axis: D alone does as well there. Collective.
