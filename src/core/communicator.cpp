@@ -63,6 +63,33 @@ std::vector<long long> Communicator::gather(long long value) const {
   return all;
 }
 
+namespace {
+
+template <class Number>
+std::vector<Number> gather_lists(const std::vector<Number>& values, MPI_Datatype type, const Communicator& ranks) {
+  std::vector<int> counts, starts;
+  int total = 0;
+  for (const long long count : ranks.gather(static_cast<long long>(values.size()))) {
+    starts.push_back(total);
+    counts.push_back(static_cast<int>(count));
+    total += counts.back();
+  }
+  std::vector<Number> all(static_cast<std::size_t>(total));
+  MPI_Allgatherv(values.data(), static_cast<int>(values.size()), type, all.data(), counts.data(), starts.data(), type,
+                 ranks.mpi());
+  return all;
+}
+
+}  // namespace
+
+std::vector<double> Communicator::gather(const std::vector<double>& values) const {
+  return gather_lists(values, MPI_DOUBLE, *this);
+}
+
+std::vector<long long> Communicator::gather(const std::vector<long long>& values) const {
+  return gather_lists(values, MPI_LONG_LONG, *this);
+}
+
 void Communicator::barrier() const { MPI_Barrier(comm_); }
 
 void Communicator::agree_on_input_error(const std::string& sentence) const {

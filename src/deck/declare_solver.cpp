@@ -31,8 +31,10 @@ Key declare_solver() {
       {word_key("method", words::linear_method, "automatic",
                 "Krylov method; automatic takes cg where the tangent is symmetric, else gmres. direct factorises the "
                 "assembled tangent on one rank: for small scenes."),
-       word_key("preconditioner", words::preconditioner, "automatic",
-                "Preconditioner; jacobi, symmetric-gauss-seidel, chebyshev and ilu work on the assembled tangent."),
+       word_key(
+           "preconditioner", words::preconditioner, "automatic",
+           "Preconditioner; jacobi, symmetric-gauss-seidel, chebyshev and ilu work on the assembled tangent; automatic "
+           "takes two-level for the matrix-free one, block-jacobi where the body is two horizons wide at most."),
        tolerance_key("tolerance", "1e-4",
                      "Relative residual of a linear solve; with eisenstat-walker forcing the loosest one allowed."),
        integer_key("max_iterations", 1, 1e9, "2000", "Iterations after which a linear solve is given up.")});

@@ -37,7 +37,7 @@ void refuse_unfit_solver(const Solver& solver, const Value& linear) {
   if (works_on_matrix(kind) && !solver.assembled())
     refuse(preconditioner.location(),
            fmt::format("the preconditioner {} needs the assembled matrix; leave tangent: matrix-free out of solver, or "
-                       "take block-jacobi",
+                       "take two-level",
                        preconditioner.text()));
 }
 

@@ -17,7 +17,7 @@ inline const std::vector<std::string> line_search{"backtrack", "full-step"};
 inline const std::vector<std::string> forcing{"eisenstat-walker", "constant"};
 inline const std::vector<std::string> linear_method{"automatic", "cg", "gmres", "direct"};
 inline const std::vector<std::string> preconditioner{
-    "automatic", "none", "block-jacobi", "jacobi", "symmetric-gauss-seidel", "chebyshev", "ilu"};
+    "automatic", "none", "two-level", "block-jacobi", "jacobi", "symmetric-gauss-seidel", "chebyshev", "ilu"};
 inline const std::vector<std::string> component{"x", "y", "z"};
 inline const std::vector<std::string> history_kind{"reaction", "displacement", "yielded"};
 /// Fields that every scene carries; the material models add their own.

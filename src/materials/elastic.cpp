@@ -32,6 +32,11 @@ PointModulus Elastic::modulus(const FamilySums& sums, const double*, deck::Tange
   return point;
 }
 
+ElasticModuli Elastic::elastic_moduli(int dimension) const {
+  // Without the dilatation term W = alpha/2 sum omega e^2, which at e = xi theta/d is (d+2) mu theta^2/(2d).
+  return {with_dilatation_ ? bulk_ : (dimension + 2) * shear_ / dimension, shear_};
+}
+
 std::string Elastic::summary() const {
   return fmt::format("linear peridynamic solid, kappa {:g}, mu {:g}, no history{}", bulk_, shear_,
                      with_dilatation_ ? "" : ", dilatation off");

@@ -90,6 +90,12 @@ PointModulus ElasticPlastic::modulus(const FamilySums& sums, const double* commi
   return point;
 }
 
+ElasticModuli ElasticPlastic::elastic_moduli(int dimension) const {
+  // Without the dilatation term W = alpha/2 sum omega e^2, which at e = xi theta/d is (d+2) mu theta^2/(2d).
+  return {parameters_.with_dilatation ? parameters_.bulk : (dimension + 2) * parameters_.shear / dimension,
+          parameters_.shear};
+}
+
 std::string ElasticPlastic::summary() const {
   return fmt::format(
       "elastic-plastic, k {:g}, mu {:g}, yield {:g} in shear ({:g} in tension), {}, {} yield value, "

@@ -40,14 +40,21 @@ void BlockJacobi::invert(const std::vector<double>& blocks, double diagonal) {
   }
 }
 
-void BlockJacobi::multiply(const double* x, double* y) const {
-  const auto d = static_cast<std::size_t>(d_);
+template <int d>
+void BlockJacobi::multiply_blocks(const double* x, double* y) const {
   for (std::size_t i = 0; i < inverse_.size() / (d * d); ++i)
     for (std::size_t c = 0; c < d; ++c) {
       double sum = 0;
       for (std::size_t e = 0; e < d; ++e) sum += inverse_[(i * d + c) * d + e] * x[i * d + e];
       y[i * d + c] = sum;
     }
+}
+
+void BlockJacobi::multiply(const double* x, double* y) const {
+  if (d_ == 3)
+    multiply_blocks<3>(x, y);
+  else
+    multiply_blocks<2>(x, y);
 }
 
 }  // namespace perinox::solve

@@ -8,6 +8,7 @@
 #include "perinox/solve/block_jacobi.hpp"
 #include "perinox/solve/direct_solve.hpp"
 #include "perinox/solve/timed_operator.hpp"
+#include "perinox/solve/two_level.hpp"
 
 namespace perinox::solve {
 
@@ -47,6 +48,8 @@ std::string name_of(deck::Preconditioner kind) {
   switch (kind) {
     case deck::Preconditioner::none:
       return "none";
+    case deck::Preconditioner::two_level:
+      return "two-level";
     case deck::Preconditioner::block_jacobi:
       return "block-jacobi";
     case deck::Preconditioner::jacobi:
@@ -99,7 +102,9 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
   Profile& profile = scene.body().communicator.profile();
   deck::Preconditioner& kind = solver_.linear.preconditioner;
   if (kind == deck::Preconditioner::automatic)
-    kind = assembled ? deck::Preconditioner::symmetric_gauss_seidel : deck::Preconditioner::block_jacobi;
+    kind = assembled                         ? deck::Preconditioner::symmetric_gauss_seidel
+           : TwoLevel::worth_its_cost(scene) ? deck::Preconditioner::two_level
+                                             : deck::Preconditioner::block_jacobi;
   if (assembled) {
     auto stored = std::make_unique<mechanics::StoredTangent>(scene);
     stored_ = stored.get();
@@ -120,6 +125,9 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
   } else if (kind == deck::Preconditioner::block_jacobi) {
     block_jacobi_ = Teuchos::rcp(new BlockJacobi(map_, scene.dimension(), prescribed_));
     preconditioner_ = block_jacobi_;
+  } else if (kind == deck::Preconditioner::two_level) {
+    two_level_ = Teuchos::rcp(new TwoLevel(map_, scene, prescribed_, scene.bond_graph(), {}));
+    preconditioner_ = two_level_;
   } else if (kind != deck::Preconditioner::none) {
     if (!assembled_)
       throw std::logic_error("a sparse preconditioner without the assembled matrix: the deck refuses it");
@@ -165,6 +173,7 @@ void TangentSystem::update_preconditioner() {
   const Profile::Scope timed(scene_.body().communicator.profile(), Section::preconditioner);
   if (direct_) direct_->factorise();
   if (block_jacobi_) block_jacobi_->set(blocks_, stiffness_scale_);
+  if (two_level_) two_level_->set(blocks_, stiffness_scale_);
   if (!sparse_) return;
   if (!sparse_->initialised) sparse_->preconditioner->initialize();
   sparse_->initialised = true;

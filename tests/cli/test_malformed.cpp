@@ -201,13 +201,13 @@ const Mistake mistakes_in_decks[] = {
      "acos(1 + x)"},
     {"ilu_without_a_matrix", &base_deck, "preconditioner: automatic", "preconditioner: ilu",
      "deck.yaml:27:28: the preconditioner ilu needs the assembled matrix; leave tangent: matrix-free out of solver, or "
-     "take block-jacobi"},
+     "take two-level"},
     {"chebyshev_without_a_matrix", &base_deck, "preconditioner: automatic", "preconditioner: chebyshev",
      "deck.yaml:27:28: the preconditioner chebyshev needs the assembled matrix; leave tangent: matrix-free out of "
-     "solver, or take block-jacobi"},
+     "solver, or take two-level"},
     {"gauss_seidel_without_a_matrix", &base_deck, "preconditioner: automatic", "preconditioner: symmetric-gauss-seidel",
      "deck.yaml:27:28: the preconditioner symmetric-gauss-seidel needs the assembled matrix; leave tangent: "
-     "matrix-free out of solver, or take block-jacobi"},
+     "matrix-free out of solver, or take two-level"},
     {"direct_without_a_matrix", &base_deck, "preconditioner: automatic", "method: direct",
      "deck.yaml:27:20: the direct method factorises the assembled matrix; leave tangent: matrix-free out of solver, or "
      "take method: automatic"},

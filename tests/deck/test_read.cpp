@@ -107,6 +107,7 @@ TEST(Read, EveryWordReachesItsEnumeration) {
   const std::vector<std::pair<std::string, Preconditioner>> preconditioners{
       {"automatic", Preconditioner::automatic},
       {"none", Preconditioner::none},
+      {"two-level", Preconditioner::two_level},
       {"block-jacobi", Preconditioner::block_jacobi},
       {"jacobi", Preconditioner::jacobi},
       {"symmetric-gauss-seidel", Preconditioner::symmetric_gauss_seidel},

@@ -49,6 +49,7 @@ class OneError : public materials::Material {
         modulus.diagonal()[j] += term.coefficient * term.p[j] * term.p[j] * family.weight[j];
     }
   }
+  materials::ElasticModuli elastic_moduli(int dimension) const override { return right_.elastic_moduli(dimension); }
   std::string summary() const override { return right_.summary(); }
 
  private:

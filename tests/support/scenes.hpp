@@ -181,7 +181,7 @@ inline double tangent_error(const mechanics::Scene& scene, const mechanics::Comm
   const Vector found = times(tangent, direction);
   double best = std::numeric_limits<double>::infinity();
   for (double relative = 1e-3; relative > 5e-9; relative /= std::sqrt(10.0)) {
-    const double step = relative * scene.bonds().horizon;
+    const double step = relative * scene.families().horizon;
     const Vector forward = internal_force(scene, committed, sum(displacement, step, direction)).force;
     const Vector backward = internal_force(scene, committed, sum(displacement, -step, direction)).force;
     Vector error(found.size()), quotient(found.size());

@@ -41,6 +41,9 @@ class Communicator {
   /// One entry of every rank, on every rank, in rank order.
   std::vector<double> gather(double value) const;
   std::vector<long long> gather(long long value) const;
+  /// The lists of all ranks one after the other, in rank order, on every rank.
+  std::vector<double> gather(const std::vector<double>& values) const;
+  std::vector<long long> gather(const std::vector<long long>& values) const;
   void barrier() const;
 
   /// Throws InputError on EVERY rank if any rank passes a non-empty sentence; the lowest such rank's sentence wins,

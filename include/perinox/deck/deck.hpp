@@ -144,7 +144,7 @@ enum class TangentForm { consistent, printed };
 enum class LineSearch { backtrack, full_step };
 enum class Forcing { eisenstat_walker, constant };
 enum class LinearMethod { automatic, cg, gmres, direct };
-enum class Preconditioner { automatic, none, block_jacobi, jacobi, symmetric_gauss_seidel, chebyshev, ilu };
+enum class Preconditioner { automatic, none, two_level, block_jacobi, jacobi, symmetric_gauss_seidel, chebyshev, ilu };
 struct Newton {
   double tolerance = 1e-8;         ///< of the force residual, relative to the reactions
   double update_tolerance = 1e-6;  ///< of the update, relative to the step's displacement increment

@@ -13,6 +13,7 @@ class Elastic : public Material {
   using Material::modulus;
   PointState state(const FamilySums& sums, const double* committed, double* trial) const override;
   PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const override;
+  ElasticModuli elastic_moduli(int dimension) const override;
   std::string summary() const override;
 
  private:

@@ -10,6 +10,12 @@
 
 namespace perinox::materials {
 
+/// Elastic moduli of the dimension at hand, stress: kappa (d-dimensional bulk modulus) and mu.
+struct ElasticModuli {
+  double bulk = 0;
+  double shear = 0;
+};
+
 /// An ordinary material: the energy, force state and modulus state of a point, from the sums over its family. Nothing
 /// else in the code knows what the material is. Stateless: all history is handed in.
 class Material {
@@ -35,6 +41,10 @@ class Material {
   virtual void modulus(const Family& family, const double* extension, CommittedHistory committed,
                        deck::TangentForm form, ModulusState& modulus) const;
 
+  /// Moduli of the local solid whose energy kappa theta^2/2 + mu e_dev:e_dev the unyielded, undamaged material has
+  /// under uniform strain in `dimension` (3 or 2) dimensions. Both positive. What the preconditioner's coarse grid is
+  /// made of.
+  virtual ElasticModuli elastic_moduli(int dimension) const = 0;
   /// False where dt/de is not symmetric: the linear solver then needs GMRES.
   virtual bool symmetric() const { return true; }
   /// One line for `perinox check`: what is carried and the derived constants.

@@ -18,6 +18,8 @@ class BlockJacobi : public OwnedOperator {
 
  private:
   template <int d>
+  void multiply_blocks(const double* x, double* y) const;
+  template <int d>
   void invert(const std::vector<double>& blocks, double diagonal);
 
   int d_;

@@ -10,6 +10,7 @@ namespace perinox::solve {
 
 class BlockJacobi;
 class DirectSolve;
+class TwoLevel;
 
 /// The linear system of one scene: the tangent restricted to the free unknowns (prescribed ones carry a diagonal and
 /// are coupled to nothing, which keeps it symmetric), as an operator, and its preconditioner. Both are updated in
@@ -22,7 +23,8 @@ class TangentSystem {
 
   /// Linearises at displacement [owned * dimension]. Collective.
   void update(const mechanics::Committed& committed, const double* displacement);
-  /// Brings the preconditioner to the tangent of the last update(). Collective.
+  /// Brings the preconditioner to the tangent of the last update(). The coarse part of two-level is made at the first
+  /// call and kept. Collective.
   void update_preconditioner();
 
   const mechanics::Tangent& tangent() const { return *tangent_; }
@@ -50,6 +52,7 @@ class TangentSystem {
   std::unique_ptr<mechanics::AssembledTangent> assembled_;
   Teuchos::RCP<Masked> masked_;
   Teuchos::RCP<BlockJacobi> block_jacobi_;
+  Teuchos::RCP<TwoLevel> two_level_;
   std::unique_ptr<Sparse> sparse_;
   Teuchos::RCP<DirectSolve> direct_;
   Teuchos::RCP<tpetra::Operator> operator_, preconditioner_;

@@ -1,0 +1,202 @@
+/// Counts and costs of the two-level preconditioner: conjugate gradients to 1e-8 at the undeformed tangent.
+///     build/bench_two_level <scene> <n> [key=value ...]
+/// scenes: cube, perforated, jittered, crack, contrast, plate-strain, plate-stress, points. keys: nu, cell (edge over
+/// horizon), level (1: block Jacobi only), bulk_limit, spring, ratio (horizon over spacing).
+#include "perinox/solve/two_level.hpp"
+
+#include <fmt/format.h>
+
+#include <Tpetra_Core.hpp>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <random>
+
+#include "perinox/app/commands.hpp"
+#include "perinox/deck/read.hpp"
+#include "perinox/mechanics/assembled_tangent.hpp"
+#include "perinox/mechanics/matrix_free_tangent.hpp"
+#include "perinox/solve/boundary.hpp"
+
+namespace {
+
+using namespace perinox;
+using Vector = std::vector<double>;
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+struct Options {
+  std::map<std::string, std::string> words;
+  double number(const std::string& key, double fallback) const {
+    const auto found = words.find(key);
+    return found == words.end() ? fallback : std::stod(found->second);
+  }
+};
+
+std::string cloud_file(int n) {
+  const std::string path = fmt::format("bench_cloud_{}.csv", n);
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
+  std::ofstream file(path);
+  file.precision(17);
+  file << "x,y,z,volume\n";
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        file << i + 0.5 + jitter(generator) << ',' << j + 0.5 + jitter(generator) << ',' << k + 0.5 + jitter(generator)
+             << ",1\n";
+  return path;
+}
+
+deck::Deck make_deck(const std::string& scene, int n, const Options& options) {
+  const bool flat = scene.rfind("plate", 0) == 0;
+  const std::string box = fmt::format("{{box: {{min: [0, 0, 0], max: [{0}, {0}, {0}]}}}}", n);
+  std::string shape = box, more, held = "x: 0, y: 0, z: 0", pulled = "x: 0, y: 0, z: \"0.01*t\"";
+  std::string body = "spacing: 1", second, boundary;
+  const char axis = flat ? 'y' : 'z';
+  if (flat) {
+    shape = fmt::format("{{box: {{min: [0, 0], max: [{0}, {0}]}}}}", n);
+    held = "x: 0, y: 0";
+    pulled = "x: 0, y: \"0.01*t\"";
+  }
+  if (scene == "perforated") {
+    shape = "{difference: [" + box;
+    for (const double a : {0.25, 0.75})
+      for (const double b : {0.25, 0.75})
+        shape += fmt::format(", {{cylinder: {{start: [{0}, -1, {1}], end: [{0}, {2}, {1}], radius: {3}}}}}", a * n,
+                             b * n, n + 1, 0.14 * n);
+    shape += "]}";
+  }
+  if (scene == "jittered") {
+    shape = fmt::format("{{file: {}}}", cloud_file(n));
+    body = "spacing: 1";
+  }
+  if (scene == "crack")
+    more = fmt::format("cracks: [{{rectangle: {{corner: [-1, -1, {0}], edge1: [{1}, 0, 0], edge2: [0, {2}, 0]}}}}]\n",
+                       n / 2.0 + 0.01, n / 2.0 + 1, n + 2.0);
+  if (scene == "contrast") {
+    shape = fmt::format("{{box: {{min: [0, 0, 0], max: [{0}, {0}, {1}]}}}}", n, n / 2);
+    second = fmt::format(
+        "\n  - {{name: soft, shape: {{box: {{min: [0, 0, {1}], max: [{0}, {0}, {0}]}}}}, spacing: 1, material: soft}}",
+        n, n / 2);
+  }
+  boundary = fmt::format(
+      "sets: {{foot: {{where: \"{0} < 3\"}}, head: {{where: \"{0} > {1}\"}}}}\n"
+      "boundary:\n  - {{set: foot, displacement: {{{2}}}}}\n  - {{set: head, displacement: {{{3}}}}}\n",
+      axis, n - 3, held, pulled);
+  if (scene == "points")
+    boundary = fmt::format(
+        "sets: {{a: {{ids: [0, {0}, {1}, {2}]}}}}\n"
+        "boundary:\n  - {{set: a, displacement: {{x: 0, y: 0, z: 0}}}}\n  - {{set: all, force: {{z: \"t\"}}}}\n",
+        n - 1, n * (n - 1), n * n * (n - 1) + n / 2);
+  const std::string yaml = fmt::format(
+      "dimension: {}\nbody:\n  - {{name: cube, shape: {}, {}, material: hard}}{}\nhorizon: {{ratio: {}}}\n"
+      "materials:\n  hard: {{model: elastic, young_modulus: {}, poisson_ratio: {}}}\n{}{}{}steps: {{end: 1, count: "
+      "1}}\n",
+      flat ? scene.substr(6) == "strain" ? "plane-strain" : "plane-stress" : "3", shape, body, second,
+      options.number("ratio", 3.015), scene == "contrast" ? options.number("contrast", 1000) : 1.0,
+      options.number("nu", 0.33),
+      scene == "contrast"
+          ? fmt::format("  soft: {{model: elastic, young_modulus: 1, poisson_ratio: {}}}\n", options.number("nu", 0.33))
+          : "",
+      more, boundary);
+  return deck::read_text(yaml, "bench.yaml", app::full_schema());
+}
+
+void run(int argc, char** argv) {
+  const std::string name = argv[1];
+  const int n = std::stoi(argv[2]);
+  Options options;
+  for (int a = 3; a < argc; ++a) {
+    const std::string word = argv[a];
+    options.words[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
+  }
+  const Communicator ranks(MPI_COMM_WORLD);
+  const deck::Deck deck = make_deck(name, n, options);
+  const mechanics::Scene scene = mechanics::build_scene(deck, ranks);
+  const solve::Boundary boundary(deck, scene);
+  const std::vector<char>& fixed = boundary.prescribed();
+  const mechanics::Committed committed(scene);
+  mechanics::MatrixFreeTangent tangent(scene);
+  const std::size_t unknowns = scene.owned_unknowns();
+  tangent.linearise(committed, committed.displacement().data(), deck::TangentForm::consistent);
+  Vector blocks(unknowns * static_cast<std::size_t>(scene.dimension()));
+  tangent.diagonal_blocks(blocks.data());
+
+  solve::TwoLevel::Settings settings;
+  settings.cell = options.number("cell", settings.cell);
+  settings.cell_nearly_incompressible = options.number("cell", settings.cell_nearly_incompressible);
+  settings.bulk_limit = options.number("bulk_limit", settings.bulk_limit);
+  settings.spring = options.number("spring", settings.spring);
+  settings.factorised_up_to =
+      static_cast<long long>(options.number("direct", static_cast<double>(settings.factorised_up_to)));
+  const double start = now();
+  solve::TwoLevel two_level(mechanics::unknowns_map(scene.body()), scene, fixed, scene.bond_graph(), settings);
+  const double gridded = now();
+  two_level.set(blocks, 1.0);
+  const double built = now();
+  const bool one_level = options.number("level", 2) == 1;
+
+  const auto dot = [&](const Vector& a, const Vector& b) {
+    double sum = 0;
+    for (std::size_t u = 0; u < unknowns; ++u) sum += a[u] * b[u];
+    return ranks.sum(sum);
+  };
+  Vector x(unknowns, 0.0), r(unknowns), jump(unknowns, 0.0), z(unknowns), p(unknowns), q(unknowns);
+  boundary.impose(1, jump.data());
+  boundary.external_force(1, r.data());
+  tangent.apply(jump.data(), q.data());
+  for (std::size_t u = 0; u < unknowns; ++u) r[u] = fixed[u] ? 0 : r[u] - q[u];
+  const double goal = 1e-8 * std::sqrt(dot(r, r));
+  double product = 0, transfer = 0, coarse = 0, whole = 0, rho = 0;
+  int iterations = 0;
+  const auto precondition = [&] {
+    const double from = now();
+    if (one_level)
+      two_level.block_jacobi().multiply(r.data(), z.data());
+    else
+      two_level.multiply(r.data(), z.data());
+    whole += now() - from;
+    transfer += two_level.transfer_seconds();
+    coarse += two_level.solve_seconds();
+  };
+  while (iterations < 3000 && std::sqrt(dot(r, r)) > goal) {
+    precondition();
+    const double next = dot(r, z);
+    for (std::size_t u = 0; u < unknowns; ++u) p[u] = z[u] + (iterations > 0 ? next / rho * p[u] : 0);
+    rho = next;
+    const double from = now();
+    tangent.apply(p.data(), q.data());
+    product += now() - from;
+    for (std::size_t u = 0; u < unknowns; ++u)
+      if (fixed[u]) q[u] = 0;
+    const double step = rho / dot(p, q);
+    for (std::size_t u = 0; u < unknowns; ++u) {
+      x[u] += step * p[u];
+      r[u] -= step * q[u];
+    }
+    ++iterations;
+  }
+  if (ranks.is_root())
+    fmt::print(
+        "{:12} {:3} {:24} {:4} its; coarse {:6}; each: product {:.4f}, apply {:.4f} (P {:.4f}, solve {:.4f}); "
+        "grid {:.3f}, set {:.3f} s; {:.1f} MB factors, {:.1f} B/particle grid\n",
+        name, n,
+        [&] {
+          std::string all;
+          for (int a = 3; a < argc; ++a) all += std::string(argv[a]) + " ";
+          return all;
+        }(),
+        iterations, two_level.coarse_solver()->unknowns(), product / iterations, whole / iterations,
+        transfer / iterations, coarse / iterations, gridded - start, built - gridded,
+        static_cast<double>(two_level.coarse_solver()->bytes()) / 1e6,
+        static_cast<double>(two_level.grid().bytes()) / scene.owned());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard guard(&argc, &argv);
+  run(argc, argv);
+}

@@ -1,0 +1,34 @@
+#pragma once
+#include <vector>
+
+#include "perinox/solve/coarse_grid.hpp"
+
+namespace perinox::solve {
+
+/// A symmetric matrix of dimension x dimension blocks over the coarse nodes of one rank: this rank's share, which adds
+/// up over the ranks.
+struct CoarseMatrix {
+  int dimension = 3;
+  std::vector<std::size_t> row_begin;  ///< [nodes + 1]
+  std::vector<LocalIndex> column;      ///< ascending within a row; local coarse nodes
+  std::vector<double> value;           ///< [blocks * dimension^2], blocks row-major
+
+  /// The block at (row, column), which must be in the pattern.
+  double* block(LocalIndex row, LocalIndex column_node);
+};
+
+/// Local linear elasticity on the coarse grid,
+///     a(u, v) = int kappa div u div v + 2 mu dev e(u) : dev e(v),
+/// with d-linear elements and the material of the particles in each cell: moduli are volume-weighted means times the
+/// filled share of the cell. Where materials meet, a particle counts with the mean over its family: the bonds of stiff
+/// particles stiffen a layer of soft ones as thick as the horizon. kappa counts up to bulk_limit mu: beyond it
+/// smoothed aggregation loses its quality, and the fine level's nonlocal dilatation is not that stiff anyway.
+CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, const bonds::BondGraph& graph,
+                               double bulk_limit);
+
+/// Adds springs to the ground at particles: c -> sum_u stiffness_u (P c)_u^2, P without its zeros on prescribed
+/// unknowns. stiffness: [owned * dimension], zero where there is none.
+void add_springs(const mechanics::Scene& scene, const CoarseGrid& grid, const std::vector<double>& stiffness,
+                 CoarseMatrix& matrix);
+
+}  // namespace perinox::solve

@@ -1,0 +1,64 @@
+#pragma once
+#include <array>
+#include <vector>
+
+#include "perinox/mechanics/scene.hpp"
+#include "perinox/solve/coarse_cells.hpp"
+
+namespace perinox::solve {
+
+/// Part of a grid cell filled by particles of one piece of the body on this rank.
+struct CoarseElement {
+  std::array<LocalIndex, 8> node;  ///< local coarse nodes; bit a of the corner's number: upper end on axis a; 2-D: 4
+  std::array<double, 3> corner;    ///< lower corner, length
+  LocalIndex begin, end;           ///< its particles in CoarseGrid's order
+};
+
+/// The coarse space: d-linear functions on the background grid's cells that hold particles, one copy of a node for each
+/// part of the body it must not tie together (CoarsePieces). P interpolates from the nodes to the particles, and is
+/// zero on prescribed unknowns; a rank holds the nodes its own particles need.
+class CoarseGrid {
+ public:
+  /// spacing: edge of the cells, length. Keeps references to the scene and to prescribed [at least owned * dimension].
+  /// Collective.
+  CoarseGrid(const mechanics::Scene& scene, const std::vector<char>& prescribed, const bonds::BondGraph& graph,
+             double spacing);
+
+  int dimension() const { return cells_.dimension(); }
+  const CoarseCells& cells() const { return cells_; }
+  const std::vector<CoarseElement>& elements() const { return elements_; }
+  /// Particle k of the elements' order.
+  LocalIndex particle(LocalIndex k) const { return order_[k]; }
+  /// Ids of this rank's coarse nodes, ascending; the same node has the same id on every rank.
+  const std::vector<GlobalId>& node_ids() const { return node_ids_; }
+  /// Positions of them. [nodes * dimension], length
+  const std::vector<double>& node_positions() const { return node_positions_; }
+  std::size_t unknowns() const { return node_ids_.size() * static_cast<std::size_t>(dimension()); }
+  /// Values at x of an element's functions, in the order of its nodes.
+  void shape_values(const CoarseElement& element, const double* x, double* values) const;
+
+  /// coarse = P^T r, this rank's share: [unknowns()]; r: [owned * dimension].
+  void restrict_to_nodes(const double* r, double* coarse) const;
+  /// z += P coarse. coarse: [unknowns()]; z: [owned * dimension].
+  void add_interpolated(const double* coarse, double* z) const;
+
+  std::size_t bytes() const;
+
+ private:
+  template <int d>
+  void restrict_points(const double* r, double* coarse) const;
+  template <int d>
+  void interpolate_points(const double* coarse, double* z) const;
+
+  const mechanics::Scene& scene_;
+  const std::vector<char>& prescribed_;
+  CoarseCells cells_;
+  std::vector<CoarseElement> elements_;
+  std::vector<LocalIndex> order_;          ///< [owned] particles by element
+  std::vector<LocalIndex> element_;        ///< [owned] element of each particle
+  mutable std::vector<double> monomials_;  ///< [elements * corners * 4] of the function at hand
+  std::vector<GlobalId> node_ids_;
+  std::vector<double> node_positions_;
+};
+
+}  // namespace perinox::solve

@@ -1,0 +1,35 @@
+#pragma once
+#include <memory>
+#include <string>
+
+#include "perinox/solve/coarse_elasticity.hpp"
+
+namespace perinox::solve {
+
+/// Solves with the coarse matrix summed over the ranks, exactly or by a fixed symmetric positive definite
+/// approximation of its inverse.
+class CoarseSolver {
+ public:
+  virtual ~CoarseSolver() = default;
+  /// right: this rank's share, adds up over the ranks; solution: at this rank's nodes. [CoarseGrid::unknowns()].
+  /// Collective.
+  virtual void solve(const double* right, double* solution) = 0;
+  /// Unknowns over all ranks.
+  virtual long long unknowns() const = 0;
+  /// Held on this rank.
+  virtual std::size_t bytes() const = 0;
+};
+
+/// Sparse Cholesky factors, the same on every rank: for small systems. Throws std::runtime_error where the matrix is
+/// not positive definite. Collective.
+std::unique_ptr<CoarseSolver> factorised_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
+                                                       const CoarseMatrix& matrix);
+
+/// One V-cycle of smoothed aggregation with symmetric smoothers, distributed: for large systems. Collective.
+std::unique_ptr<CoarseSolver> multigrid_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
+                                                      const CoarseMatrix& matrix);
+
+/// Unknowns of the coarse system over all ranks. Collective.
+long long coarse_unknowns(const Communicator& ranks, const CoarseGrid& grid);
+
+}  // namespace perinox::solve

@@ -1,0 +1,58 @@
+#pragma once
+#include <memory>
+
+#include "perinox/solve/block_jacobi.hpp"
+#include "perinox/solve/coarse_solver.hpp"
+
+namespace perinox::solve {
+
+/// The additive two-level preconditioner of the tangent,
+///     z = D^-1 r + P A_c^-1 P^T r,
+/// D: diagonal blocks of the current tangent; P: CoarseGrid; A_c: coarse_elasticity. Peridynamic spectra are flat below
+/// the horizon, where D does, and local above it, where a grid of cells of about a horizon does: iterations do not grow
+/// with the body. Symmetric and positive definite by construction.
+class TwoLevel : public OwnedOperator {
+ public:
+  struct Settings {
+    double cell = 1;                           ///< edge of the grid's cells over the horizon; two spacings at least
+    double cell_nearly_incompressible = 0.67;  ///< the same, where a material has kappa/mu above 20 (nu about 0.476)
+    double bulk_limit = 8;                     ///< see coarse_elasticity
+    double spring = 1;                         ///< scale of the springs that stand for prescribed unknowns
+    long long factorised_up_to = 2500;         ///< coarse unknowns up to which they are factorised
+  };
+
+  /// False for a body of two cells at most on every axis: D alone does as well there. Collective.
+  static bool worth_its_cost(const mechanics::Scene& scene);
+
+  /// prescribed: [local * dimension], ghosts up to date; kept by reference, as is the scene. Collective.
+  TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene, const std::vector<char>& prescribed,
+           const bonds::BondGraph& graph, const Settings& settings);
+
+  /// Takes the tangent's diagonal blocks [owned * dimension^2], row-major, with `diagonal` on prescribed unknowns. The
+  /// first call also builds A_c, which depends on elastic moduli, geometry, cracks and supports only. Collective.
+  void set(const std::vector<double>& blocks, double diagonal);
+  void multiply(const double* x, double* y) const override;
+
+  const CoarseGrid& grid() const { return grid_; }
+  const BlockJacobi& block_jacobi() const { return block_jacobi_; }
+  /// Null before the first set().
+  CoarseSolver* coarse_solver() const { return solver_.get(); }
+  /// Seconds the last multiply() spent in P and P^T, and in the coarse solve.
+  double transfer_seconds() const { return transfer_seconds_; }
+  double solve_seconds() const { return solve_seconds_; }
+
+ private:
+  std::vector<double> springs(const std::vector<double>& blocks) const;
+
+  const mechanics::Scene& scene_;
+  const std::vector<char>& prescribed_;
+  bonds::BondGraph graph_;
+  Settings settings_;
+  BlockJacobi block_jacobi_;
+  CoarseGrid grid_;
+  std::unique_ptr<CoarseSolver> solver_;
+  mutable std::vector<double> right_, solution_;
+  mutable double transfer_seconds_ = 0, solve_seconds_ = 0;
+};
+
+}  // namespace perinox::solve

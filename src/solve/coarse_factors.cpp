@@ -1,0 +1,99 @@
+/// The coarse system, small: gathered and factorised on every rank.
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <stdexcept>
+
+#include "perinox/solve/coarse_solver.hpp"
+
+namespace perinox::solve {
+
+namespace {
+
+class Factors : public CoarseSolver {
+ public:
+  Factors(const Communicator& ranks, const CoarseGrid& grid, const CoarseMatrix& matrix) : ranks_(ranks) {
+    const auto d = static_cast<std::size_t>(matrix.dimension);
+    // Numbers of the nodes among all ranks' nodes, in the order of their ids: the factors do not depend on the
+    // partition.
+    std::vector<long long> ids = grid.node_ids();
+    if (ranks.size() > 1) {
+      ids = ranks.gather(ids);
+      std::sort(ids.begin(), ids.end());
+      ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    }
+    for (const GlobalId id : grid.node_ids())
+      number_.push_back(static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()));
+    dimension_ = d;
+    all_.resize(ids.size() * d);
+
+    std::vector<long long> places;  // row * nodes + column of each block of the lower half
+    std::vector<double> blocks;
+    for (std::size_t row = 0; row + 1 < matrix.row_begin.size(); ++row)
+      for (std::size_t k = matrix.row_begin[row]; k < matrix.row_begin[row + 1]; ++k) {
+        const std::size_t column = number_[static_cast<std::size_t>(matrix.column[k])];
+        if (column > number_[row]) continue;
+        places.push_back(static_cast<long long>(number_[row] * ids.size() + column));
+        blocks.insert(blocks.end(), &matrix.value[k * d * d], &matrix.value[k * d * d] + d * d);
+      }
+    if (ranks.size() > 1) {
+      places = ranks.gather(places);
+      blocks = ranks.gather(blocks);
+    }
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(blocks.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const auto row = static_cast<std::size_t>(places[k]) / ids.size() * d;
+      const auto column = static_cast<std::size_t>(places[k]) % ids.size() * d;
+      for (std::size_t p = 0; p < d; ++p)
+        for (std::size_t q = 0; q < d; ++q)
+          if (row + p >= column + q)
+            entries.emplace_back(static_cast<int>(row + p), static_cast<int>(column + q), blocks[(k * d + p) * d + q]);
+    }
+    Eigen::SparseMatrix<double> lower(static_cast<int>(all_.size()), static_cast<int>(all_.size()));
+    lower.setFromTriplets(entries.begin(), entries.end());
+    factors_.compute(lower);
+    if (factors_.info() != Eigen::Success) throw std::runtime_error("the coarse matrix is not positive definite");
+    nonzeros_ = static_cast<std::size_t>(factors_.matrixL().nestedExpression().nonZeros());
+  }
+
+  void solve(const double* right, double* solution) override {
+    const std::size_t d = dimension_;
+    std::fill(all_.begin(), all_.end(), 0.0);
+    for (std::size_t n = 0; n < number_.size(); ++n)
+      for (std::size_t c = 0; c < d; ++c) all_[number_[n] * d + c] = right[n * d + c];
+    if (ranks_.size() > 1) ranks_.sum(all_);
+    const Eigen::Map<const Eigen::VectorXd> sum(all_.data(), static_cast<Eigen::Index>(all_.size()));
+    const Eigen::VectorXd found = factors_.solve(sum);
+    for (std::size_t n = 0; n < number_.size(); ++n)
+      for (std::size_t c = 0; c < d; ++c) solution[n * d + c] = found[static_cast<Eigen::Index>(number_[n] * d + c)];
+  }
+  long long unknowns() const override { return static_cast<long long>(all_.size()); }
+  std::size_t bytes() const override { return nonzeros_ * (sizeof(double) + sizeof(int)); }
+
+ private:
+  Communicator ranks_;
+  std::size_t dimension_ = 3;
+  std::vector<std::size_t> number_;  ///< [nodes of this rank] among all nodes
+  std::vector<double> all_;
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors_;
+  std::size_t nonzeros_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<CoarseSolver> factorised_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
+                                                       const CoarseMatrix& matrix) {
+  return std::make_unique<Factors>(ranks, grid, matrix);
+}
+
+long long coarse_unknowns(const Communicator& ranks, const CoarseGrid& grid) {
+  std::vector<long long> ids = grid.node_ids();
+  if (ranks.size() > 1) {
+    ids = ranks.gather(ids);
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  }
+  return static_cast<long long>(ids.size()) * grid.dimension();
+}
+
+}  // namespace perinox::solve

@@ -1,0 +1,106 @@
+#include "perinox/solve/two_level.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace perinox::solve {
+
+namespace {
+
+/// Every coarse node is tied to the ground by this share of its own stiffness, so that a coarse piece that nothing
+/// holds (a flake cut out of the body) leaves the matrix definite.
+constexpr double grounding = 1e-10;
+/// Least share of a prescribed particle's stiffness that holds the coarse grid: nodes deep inside a support would float
+/// without it.
+constexpr double least_spring = 0.1;
+/// kappa/mu above which finer cells pay.
+constexpr double nearly_incompressible = 20;
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Below two spacings a cell would have about as many unknowns as its particles.
+double cell_edge(const mechanics::Scene& scene, const TwoLevel::Settings& settings) {
+  double over_horizon = settings.cell;
+  for (const auto& material : scene.materials()) {
+    const materials::ElasticModuli moduli = material->elastic_moduli(scene.dimension());
+    if (moduli.bulk > nearly_incompressible * moduli.shear)
+      over_horizon = std::min(over_horizon, settings.cell_nearly_incompressible);
+  }
+  const body::Body& body = scene.body();
+  double volume = 0;
+  for (LocalIndex i = 0; i < body.owned; ++i) volume += body.volume[i];
+  const double spacing =
+      std::pow(body.communicator.sum(volume) / static_cast<double>(body.total), 1.0 / body.dimension);
+  return std::max(over_horizon * scene.families().horizon, 2 * spacing);
+}
+
+}  // namespace
+
+bool TwoLevel::worth_its_cost(const mechanics::Scene& scene) {
+  const CoarseCells cells(scene.body(), cell_edge(scene, Settings()));
+  return *std::max_element(cells.counts().begin(), cells.counts().end()) > 2;
+}
+
+TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene,
+                   const std::vector<char>& prescribed, const bonds::BondGraph& graph, const Settings& settings)
+    : OwnedOperator(map),
+      scene_(scene),
+      prescribed_(prescribed),
+      graph_(graph),
+      settings_(settings),
+      block_jacobi_(map, scene.dimension(), prescribed),
+      grid_(scene, prescribed, graph, cell_edge(scene, settings)),
+      right_(grid_.unknowns()),
+      solution_(grid_.unknowns()) {}
+
+std::vector<double> TwoLevel::springs(const std::vector<double>& blocks) const {
+  // A function that is constant c but zero on prescribed unknowns has the energy c^2/2 times the stiffness of all bonds
+  // between prescribed and free particles: what a smooth field on the grid does not know of. It goes to the prescribed
+  // ends, each with its own diagonal stiffness times the share of its neighbours that are free.
+  const auto d = static_cast<std::size_t>(scene_.dimension());
+  std::vector<double> stiffness(scene_.owned_unknowns(), 0.0);
+  std::vector<LocalIndex> neighbors;
+  for (LocalIndex i = 0; i < scene_.owned(); ++i) {
+    const std::size_t first = static_cast<std::size_t>(i) * d;
+    if (std::none_of(&prescribed_[first], &prescribed_[first] + d, [](char held) { return held != 0; })) continue;
+    graph_(i, neighbors);
+    for (std::size_t c = 0; c < d; ++c) {
+      if (!prescribed_[first + c]) continue;
+      double free = 0;
+      for (const LocalIndex j : neighbors) free += prescribed_[static_cast<std::size_t>(j) * d + c] ? 0 : 1;
+      const double share = free / static_cast<double>(std::max<std::size_t>(1, neighbors.size()));
+      stiffness[first + c] = settings_.spring * std::max(share, least_spring) * std::abs(blocks[(first + c) * d + c]);
+    }
+  }
+  return stiffness;
+}
+
+void TwoLevel::set(const std::vector<double>& blocks, double diagonal) {
+  block_jacobi_.set(blocks, diagonal);
+  if (solver_) return;
+  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, settings_.bulk_limit);
+  add_springs(scene_, grid_, springs(blocks), matrix);
+  for (std::size_t n = 0; n < grid_.node_ids().size(); ++n) {
+    double* block = matrix.block(static_cast<LocalIndex>(n), static_cast<LocalIndex>(n));
+    for (int c = 0; c < matrix.dimension; ++c) block[c * (matrix.dimension + 1)] *= 1 + grounding;
+  }
+  const Communicator& ranks = scene_.body().communicator;
+  solver_ = coarse_unknowns(ranks, grid_) <= settings_.factorised_up_to ? factorised_coarse_solver(ranks, grid_, matrix)
+                                                                        : multigrid_coarse_solver(ranks, grid_, matrix);
+  graph_ = nullptr;  // may hold a word a bond
+}
+
+void TwoLevel::multiply(const double* x, double* y) const {
+  block_jacobi_.multiply(x, y);
+  const double start = now();
+  grid_.restrict_to_nodes(x, right_.data());
+  const double restricted = now();
+  solver_->solve(right_.data(), solution_.data());
+  const double solved = now();
+  grid_.add_interpolated(solution_.data(), y);
+  solve_seconds_ = solved - restricted;
+  transfer_seconds_ = restricted - start + now() - solved;
+}
+
+}  // namespace perinox::solve
