@@ -9,6 +9,7 @@
 #include "perinox/body/ghosts.hpp"
 #include "perinox/body/lattice.hpp"
 #include "perinox/body/named_sets.hpp"
+#include "perinox/body/neighbor_count.hpp"
 #include "perinox/body/neighbor_search.hpp"
 #include "perinox/body/partition.hpp"
 #include "perinox/body/spacing.hpp"
@@ -85,15 +86,7 @@ void refuse_coincident(const deck::Deck& deck, const Share& share, int dimension
 
 /// Number of particles within reach of each owned one: the work it will cost.
 std::vector<double> count_neighbors(const Share& share, double reach, int dimension) {
-  const std::vector<double> points = share.points(dimension);
-  const NeighborSearch search(points, dimension);
-  std::vector<double> counts;
-  std::vector<LocalIndex> found;
-  for (const Particle& particle : share.owned) {
-    search.within(particle.position.data(), reach, found);
-    counts.push_back(static_cast<double>(found.size()) - 1);
-  }
-  return counts;
+  return count_within(share.points(dimension), dimension, static_cast<int>(share.owned.size()), reach);
 }
 
 /// Unweighted first, because neighbours can only be counted where they are at hand; then weighted by the counts.

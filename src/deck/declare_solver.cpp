@@ -18,8 +18,10 @@ Key declare_solver() {
   Key newton = map_key(
       "newton", "Newton's iteration of a step.",
       {tolerance_key("tolerance", "1e-8", "Force residual, relative to the reactions, at which a step is converged."),
-       tolerance_key("update_tolerance", "1e-6",
-                     "Newton update, relative to the step's displacement increment, at which a step is converged."),
+       tolerance_key(
+           "update_tolerance", "1e-6",
+           "What another Newton update would change, relative to the step's displacement increment, at which a "
+           "step is converged: the last update times the factor by which it has lowered the residual."),
        integer_key("max_iterations", 1, 100000, "25", "Iterations after which a step counts as failed."),
        word_key("line_search", words::line_search, "backtrack",
                 "Shorten an update that does not lower the residual, or always take it whole."),
@@ -35,7 +37,7 @@ Key declare_solver() {
            "preconditioner", words::preconditioner, "automatic",
            "Preconditioner; jacobi, symmetric-gauss-seidel, chebyshev and ilu work on the assembled tangent; automatic "
            "takes two-level for the matrix-free one, block-jacobi where the body is two horizons wide at most."),
-       tolerance_key("tolerance", "1e-4",
+       tolerance_key("tolerance", "1e-2",
                      "Relative residual of a linear solve; with eisenstat-walker forcing the loosest one allowed."),
        integer_key("max_iterations", 1, 1e9, "2000", "Iterations after which a linear solve is given up.")});
   linear.fallback = "{}";

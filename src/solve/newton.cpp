@@ -83,13 +83,7 @@ RCP<Teuchos::ParameterList> Newton::Parts::nox_parameters() const {
   all->set("Nonlinear Solver", "Line Search Based");
   auto& newton = all->sublist("Direction").sublist("Newton");
   all->sublist("Direction").set("Method", "Newton");
-  const bool inexact = solver.newton.forcing == deck::Forcing::eisenstat_walker;
-  newton.set("Forcing Term Method", inexact ? "Type 2" : "Constant");
-  newton.set("Forcing Term Initial Tolerance", solver.linear.tolerance);
-  newton.set("Forcing Term Maximum Tolerance", solver.linear.tolerance);
-  newton.set("Forcing Term Minimum Tolerance", std::min(1e-8, solver.linear.tolerance));
-  newton.set("Forcing Term Alpha", 1.5);
-  newton.set("Forcing Term Gamma", 0.9);
+  newton.set("Forcing Term Method", "Constant");  // EquilibriumTest sets the tolerance of every solve
   newton.set("Rescue Bad Newton Solve", true);
   newton.sublist("Linear Solver").set("Tolerance", solver.linear.tolerance);
   auto& search = all->sublist("Line Search");
@@ -144,7 +138,7 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
   auto group = rcp(
       new NOX::Thyra::Group(initial, p.model, p.model->create_W_op(), p.factory, p.model->create_W_prec(), no_factory));
   auto parameters = p.nox_parameters();
-  auto test = rcp(new EquilibriumTest(*p.model, committed, p.deck.solver.newton, step, t, observer,
+  auto test = rcp(new EquilibriumTest(*p.model, committed, p.deck.solver, step, t, observer,
                                       parameters->sublist("Direction").sublist("Newton").sublist("Linear Solver")));
   NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
   std::string trouble;

@@ -146,8 +146,9 @@ enum class Forcing { eisenstat_walker, constant };
 enum class LinearMethod { automatic, cg, gmres, direct };
 enum class Preconditioner { automatic, none, two_level, block_jacobi, jacobi, symmetric_gauss_seidel, chebyshev, ilu };
 struct Newton {
-  double tolerance = 1e-8;         ///< of the force residual, relative to the reactions
-  double update_tolerance = 1e-6;  ///< of the update, relative to the step's displacement increment
+  double tolerance = 1e-8;  ///< of the force residual, relative to the reactions
+  double update_tolerance =
+      1e-6;  ///< of what another update would change, relative to the step's displacement increment
   int max_iterations = 25;
   LineSearch line_search = LineSearch::backtrack;
   Forcing forcing = Forcing::eisenstat_walker;
@@ -155,7 +156,7 @@ struct Newton {
 struct Linear {
   LinearMethod method = LinearMethod::automatic;
   Preconditioner preconditioner = Preconditioner::automatic;
-  double tolerance = 1e-4;  ///< constant forcing: tolerance; Eisenstat-Walker: the loosest one
+  double tolerance = 1e-2;  ///< constant forcing: tolerance; Eisenstat-Walker: the loosest one
   int max_iterations = 2000;
 };
 struct Solver {

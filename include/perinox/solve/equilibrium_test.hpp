@@ -9,13 +9,14 @@
 
 namespace perinox::solve {
 
-/// Converged when the residual is small against the reactions and the last update is small against the step; or when
-/// nothing but rounding is left. Also tells the observer of every iterate.
+/// Converged when the residual is small against the reactions and what another update would change is small against the
+/// step; or when nothing but rounding is left. Also tells the observer of every iterate.
 class EquilibriumTest : public NOX::StatusTest::Generic {
  public:
-  /// linear: the list NOX writes the forcing term into. Everything is kept by reference.
-  EquilibriumTest(const EquilibriumModel& model, const mechanics::Committed& committed, const deck::Newton& settings,
-                  int step, double t, Observer& observer, const Teuchos::ParameterList& linear);
+  /// linear: the list from which NOX's next linear solve takes its tolerance, the forcing term, which this test sets.
+  /// Everything is kept by reference.
+  EquilibriumTest(const EquilibriumModel& model, const mechanics::Committed& committed, const deck::Solver& settings,
+                  int step, double t, Observer& observer, Teuchos::ParameterList& linear);
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override;
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
@@ -28,14 +29,16 @@ class EquilibriumTest : public NOX::StatusTest::Generic {
 
  private:
   NewtonIteration describe(const NOX::Solver::Generic& solver);
+  /// Tolerance of the linear solve that follows; `before`: residual of the iterate before the last.
+  double next_forcing(double before) const;
 
   const EquilibriumModel& model_;
   const mechanics::Committed& committed_;
-  const deck::Newton& settings_;
+  const deck::Solver& settings_;
   int step_;
   double t_;
   Observer& observer_;
-  const Teuchos::ParameterList& linear_;
+  Teuchos::ParameterList& linear_;
   NewtonIteration last_;
   bool finite_ = true;
   int judged_ = -1;
