@@ -43,8 +43,7 @@ Cells sort_into_cells(const std::vector<double>& points, int dimension, double r
     cells.size[c] = std::max((high - low) / static_cast<double>(cells.count[c]), reach);
   }
   cells.begin.assign(static_cast<std::size_t>(cells.count[0] * cells.count[1] * cells.count[2]) + 1, 0);
-  for (std::int64_t i = 0; i < total; ++i)
-    ++cells.begin[cells.number(cells.at(&points[i * dimension], dimension)) + 1];
+  for (std::int64_t i = 0; i < total; ++i) ++cells.begin[cells.number(cells.at(&points[i * dimension], dimension)) + 1];
   for (std::size_t k = 1; k < cells.begin.size(); ++k) cells.begin[k] += cells.begin[k - 1];
   std::vector<std::int64_t> next(cells.begin.begin(), cells.begin.end() - 1);
   cells.sorted.assign(static_cast<std::size_t>(total) * 3, 0.0);

@@ -12,10 +12,20 @@ constexpr std::int64_t line = 8;      // doubles a cache line
 constexpr std::int64_t stagger = 24;  // doubles between the places of a page where consecutive arrays begin
 }  // namespace
 
+namespace {
+std::int64_t room_of(std::int64_t guard) { return (guard + line) / line * line; }
+std::int64_t length_of(std::int64_t cells, std::int64_t guard) {
+  return (cells + 2 * room_of(guard) + 511) / 512 * 512 + stagger;
+}
+}  // namespace
+
+std::size_t GridArrays::bytes_of(int count, std::int64_t cells, std::int64_t guard) {
+  return static_cast<std::size_t>(count * length_of(cells, guard) + line) * sizeof(double);
+}
+
 void GridArrays::allocate(int count, std::int64_t cells, std::int64_t guard) {
   cells_ = cells;
-  const std::int64_t room = (guard + line) / line * line;
-  const std::int64_t length = (cells + 2 * room + 511) / 512 * 512 + stagger;
+  const std::int64_t room = room_of(guard), length = length_of(cells, guard);
   memory_.assign(static_cast<std::size_t>(count * length + line), 0.0);
   auto* first = memory_.data();
   while (reinterpret_cast<std::uintptr_t>(first) % 64 != 0) ++first;
@@ -31,7 +41,9 @@ LatticeLoops::LatticeLoops(const Scene& scene)
       d_(scene.dimension()),
       owned_(scene.owned()),
       local_(scene.local()),
-      small_(scene.small_strain()) {
+      small_(scene.small_strain()),
+      plastic_body_(scene.plastic()),
+      moved_(!small_ || plastic_body_) {
   const bonds::CellGrid& grid = families_.grid();
   const double volume = families_.volume();
   for (const bonds::StencilOffset& offset : families_.offsets()) {
@@ -51,8 +63,24 @@ LatticeLoops::LatticeLoops(const Scene& scene)
 
 std::size_t LatticeLoops::bytes() const {
   return u_.bytes() + x_.bytes() + law_.bytes() + mean_.bytes() + out_.bytes() +
-         (dilatation_.size() + flow_.size() + ghosts_.size()) * sizeof(double) +
+         (dilatation_.size() + flow_.size() + ghosts_.size() + plastic_.size()) * sizeof(double) +
          blocks_.size() * sizeof(kernels::Block);
+}
+
+LoopMemory LatticeLoops::expected() const {
+  const std::int64_t cells = families_.grid().size();
+  const auto arrays = [&](int count) { return GridArrays::bytes_of(count, cells, guard_); };
+  const std::size_t own = blocks_.size() * sizeof(kernels::Block);
+  LoopMemory memory;
+  memory.evaluation = arrays(d_) + arrays(1) + arrays(3) + arrays(2) + own;
+  memory.tangent = arrays(d_) + arrays(small_ ? 3 : 4) + arrays(std::max(d_, 2)) + own +
+                   static_cast<std::size_t>(cells) * sizeof(double);
+  if (moved_) memory.tangent += arrays(d_);
+  if (local_ > owned_) memory.tangent += static_cast<std::size_t>(local_) * d_ * sizeof(double);
+  if (!plastic_body_) return memory;
+  memory.tangent += arrays(1) + static_cast<std::size_t>(cells) * sizeof(double) + blocks_.size() * sizeof(double*);
+  memory.plastic = blocks_.size() * (offsets_.size() * 2 * kernels::group * sizeof(double) + sizeof(double*));
+  return memory;
 }
 
 void LatticeLoops::require(GridArrays& arrays, int count) {
@@ -118,30 +146,34 @@ void LatticeLoops::strain_sums(const double* displacement, const double* shift, 
 
 void LatticeLoops::forces(const double* radial, const double* shear, const PlasticExtension& plastic, double* force) {
   require(law_, 2);
-  put(radial, 1, 0, owned_, law_, kernels::radial);
-  put(shear, 1, 0, owned_, law_, kernels::shear);
+  put(radial, 1, 0, owned_, law_, 0);
+  put(shear, 1, 0, owned_, law_, 1);
   kernels::LatticeView g = view(plastic.chunks(), every);
   for (int c = 0; c < d_; ++c) {
     g.u[c] = u_[c];
     out_.clear(c);
     g.out[c] = out_[c];
   }
-  g.law[kernels::radial] = law_[kernels::radial];
-  g.law[kernels::shear] = law_[kernels::shear];
+  g.law[kernels::radial] = law_[0];
+  g.law[kernels::shear] = law_[1];
   sweep(kernels::sweeps().lattice.forces, g);
   take(out_, 0, d_, 0, local_, force);
 }
 
 void LatticeLoops::linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) {
-  require(u_, d_);
+  if (moved_) {
+    require(u_, d_);
+    put(displacement, d_, 0, local_, u_, 0);
+  }
+  if (plastic_body_) {
+    require(mean_, 1);
+    put(law.mean.data(), 1, 0, owned_, mean_, 0);
+  }
   require(x_, d_);
-  require(law_, 4);
-  require(mean_, 1);
+  require(law_, small_ ? 3 : 4);
   require(out_, std::max(d_, 2));
-  put(displacement, d_, 0, local_, u_, 0);
-  put(law.radial.data(), 1, 0, owned_, law_, kernels::radial);
+  if (!small_) put(law.radial.data(), 1, 0, owned_, law_, kernels::radial);
   put(law.shear.data(), 1, 0, owned_, law_, kernels::shear);
-  put(law.mean.data(), 1, 0, owned_, mean_, 0);
   const std::vector<std::int64_t>& cell = families_.grid().cell;
   const auto cells = static_cast<std::size_t>(families_.grid().size());
   const bool flows = std::any_of(law.flow.begin(), law.flow.end(), [](double flow) { return flow != 0; });
@@ -188,8 +220,11 @@ void LatticeLoops::product(const double* x, double* y) {
   put(x, d_, 0, owned_, x_, 0);
   const std::int64_t cells = families_.grid().size();
   kernels::LatticeView inner = view(plastic, interior);
-  for (int c = 0; c < d_; ++c) inner.u[c] = u_[c], inner.x[c] = x_[c];
-  for (int k = 0; k < 4; ++k) inner.law[k] = law_[k];
+  for (int c = 0; c < d_; ++c) {
+    inner.u[c] = moved_ ? u_[c] : nullptr;
+    inner.x[c] = x_[c];
+  }
+  for (int k = 0; k < (small_ ? 3 : 4); ++k) inner.law[k] = law_[k];
   for (int k = 0; k < std::max(d_, 2); ++k) inner.out[k] = out_[k];
   kernels::LatticeView outer = inner;
   const kernels::LatticeView rest = view(plastic, boundary);
@@ -207,10 +242,11 @@ void LatticeLoops::product(const double* x, double* y) {
   sweep(sweeps.product_sums, outer);
 
   double *along = law_[kernels::along], *flow = law_[kernels::flow];
-  const double *first = out_[0], *second = out_[1], *mean = mean_[0];
+  const double *first = out_[0], *second = out_[1];
   if (flow_.empty()) {
     for (std::int64_t c = 0; c < cells; ++c) along[c] = dilatation_[c] * first[c];
   } else {
+    const double* mean = mean_[0];
     for (std::int64_t c = 0; c < cells; ++c) {
       flow[c] = flow_[c] * (second[c] - mean[c] * first[c]);
       along[c] = dilatation_[c] * first[c] - mean[c] * flow[c];
@@ -237,9 +273,9 @@ void LatticeLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
   put(law.dilatation.data(), 1, 0, owned_, law_, kernels::along);
   put(law.flow.data(), 1, 0, owned_, law_, kernels::flow);
   kernels::LatticeView g = view(plastic_.empty() ? nullptr : plastic_.data(), every);
-  for (int c = 0; c < d_; ++c) g.u[c] = u_[c];
-  for (int k = 0; k < 4; ++k) g.law[k] = law_[k];
-  g.mean = mean_[0];
+  for (int c = 0; c < d_; ++c) g.u[c] = moved_ ? u_[c] : nullptr;
+  for (int k = 0; k < (small_ ? 3 : 4); ++k) g.law[k] = law_[k];
+  if (plastic_body_) g.mean = mean_[0];
   for (int k = 0; k < results; ++k) g.out[k] = out[k];
   sweep(kernels::sweeps().lattice.diagonal_blocks, g);
   std::vector<double> entries(static_cast<std::size_t>(results));
@@ -254,7 +290,6 @@ void LatticeLoops::advance(const double* displacement, const double* mean, const
                            PlasticExtension& plastic) {
   require(u_, d_);
   require(mean_, 1);
-  require(law_, 2);
   GridArrays flowing;
   require(flowing, 1);
   put(displacement, d_, 0, local_, u_, 0);

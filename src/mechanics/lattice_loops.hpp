@@ -16,6 +16,8 @@ class GridArrays {
   /// Zeroes an array over the cells, not the room around them.
   void clear(int k);
   std::size_t bytes() const { return memory_.size() * sizeof(double); }
+  /// Bytes that allocate() would take.
+  static std::size_t bytes_of(int count, std::int64_t cells, std::int64_t guard);
 
  private:
   std::vector<double> memory_;
@@ -34,6 +36,7 @@ class LatticeLoops : public FamilyLoops {
   void product(const double* x, double* y) override;
   void diagonal_blocks(const TangentLaw& law, double* blocks) override;
   void advance(const double* displacement, const double* mean, const double* flow, PlasticExtension& plastic) override;
+  LoopMemory expected() const override;
   std::size_t bytes() const override;
 
  private:
@@ -49,6 +52,8 @@ class LatticeLoops : public FamilyLoops {
   body::Halo halo_;
   int d_, owned_, local_;
   bool small_;
+  bool plastic_body_;  ///< some material flows
+  bool moved_;         ///< the tangent depends on the displacement
   std::vector<kernels::Offset> offsets_;
   std::vector<kernels::Block> blocks_;
   std::int64_t guard_ = 0;

@@ -14,7 +14,8 @@ PairLoops::PairLoops(const Scene& scene)
       d_(scene.dimension()),
       owned_(scene.owned()),
       local_(scene.local()),
-      small_(scene.small_strain()) {
+      small_(scene.small_strain()),
+      plastic_body_(scene.plastic()) {
   require(reference_);
   put(scene.body().reference.data(), d_, 0, local_, reference_, 0);
   put(scene.body().volume.data(), 1, 0, local_, reference_, 3);
@@ -25,9 +26,21 @@ PairLoops::PairLoops(const Scene& scene)
 }
 
 std::size_t PairLoops::bytes() const {
-  return (reference_.size() + place_.size() + u_.size() + x_.size() + law_.size() + out_.size() + dilatation_.size() +
-          flow_.size() + ghosts_.size() + plastic_.size()) *
+  return (reference_.size() + u_.size() + x_.size() + law_.size() + out_.size() + dilatation_.size() + flow_.size() +
+          ghosts_.size() + plastic_.size()) *
          sizeof(double);
+}
+
+LoopMemory PairLoops::expected() const {
+  const auto values = static_cast<std::size_t>(families_.slots()) * 4 * sizeof(double);
+  LoopMemory memory;
+  memory.evaluation = 4 * values;
+  memory.tangent = 5 * values + 2 * static_cast<std::size_t>(owned_) * sizeof(double);
+  if (local_ > owned_) memory.tangent += static_cast<std::size_t>(local_) * d_ * sizeof(double);
+  if (!plastic_body_) return memory;
+  memory.tangent += static_cast<std::size_t>(owned_) * sizeof(double*);
+  memory.plastic = 2 * families_.far().size() * sizeof(double) + static_cast<std::size_t>(owned_) * sizeof(double*);
+  return memory;
 }
 
 void PairLoops::require(Values& values) const { values.resize(static_cast<std::size_t>(families_.slots()) * 4, 0.0); }

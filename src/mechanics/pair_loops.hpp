@@ -15,6 +15,7 @@ class PairLoops : public FamilyLoops {
   void product(const double* x, double* y) override;
   void diagonal_blocks(const TangentLaw& law, double* blocks) override;
   void advance(const double* displacement, const double* mean, const double* flow, PlasticExtension& plastic) override;
+  LoopMemory expected() const override;
   std::size_t bytes() const override;
 
  private:
@@ -32,8 +33,8 @@ class PairLoops : public FamilyLoops {
   body::Halo halo_;
   int d_, owned_, local_;
   bool small_;
-  Values reference_;  ///< position, volume
-  Values place_;      ///< of the tangent: current position (small strain: reference), volume
+  bool plastic_body_;  ///< some material flows
+  Values reference_;   ///< position, volume
   Values u_, x_, law_, out_;
   Values dilatation_, flow_;      ///< [owned] by slot: coefficients of the tangent's rank-one terms
   std::vector<double*> plastic_;  ///< [owned] for the products; empty: nothing flows or has flowed

@@ -125,7 +125,7 @@ const bonds::Bonds& Scene::bonds() const {
 bonds::BondGraph Scene::bond_graph() const {
   if (lattice_)
     return [this, places = std::vector<bonds::LatticeFamilies::Place>()](LocalIndex i,
-                                                                        std::vector<LocalIndex>& neighbors) mutable {
+                                                                         std::vector<LocalIndex>& neighbors) mutable {
       lattice_->places(i, places);
       neighbors.clear();
       for (const auto& place : places) neighbors.push_back(place.neighbor);

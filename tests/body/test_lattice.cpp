@@ -182,7 +182,8 @@ TEST(Body, CoincidentParticlesAreNamedWithTheirPlace) {
   deck::Deck deck = cube(3);
   add_body(deck, "copy", deck::Box{{2, 2, 2}, {4, 4, 4}});
   EXPECT_EQ(refusal([&] { build_body(deck); }),
-            "deck.yaml:4:5: particles 26 and 27 are in the same place (2.5, 2.5, 2.5); take one of them out, or move the bodies apart "
+            "deck.yaml:4:5: particles 26 and 27 are in the same place (2.5, 2.5, 2.5); take one of them out, or move "
+            "the bodies apart "
             "so that they do not overlap");
 }
 

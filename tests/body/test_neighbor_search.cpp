@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "perinox/body/neighbor_count.hpp"
 #include "perinox/body/neighbor_search.hpp"
 
 namespace perinox::body {
@@ -48,6 +49,19 @@ TEST(NeighborSearch, PointsAtExactlyTheRadiusAreInside) {
       for (int x = 0; x < 7; ++x) points.insert(points.end(), {1e3 + x * 0.1, 1e3 + y * 0.1, 1e3 + z * 0.1});
   EXPECT_EQ(neighbors_within(points, 3, 343, 0.3)[171].size(), 122U);
   EXPECT_EQ(neighbors_within(points, 3, 343, 0.3 * (1 - 1e-9))[171].size(), 92U);
+}
+
+TEST(NeighborCount, CountsWhatTheTreeFinds) {
+  for (const int dimension : {2, 3}) {
+    std::vector<double> points = random_points(400, dimension);
+    for (int c = 0; c < dimension; ++c) points.push_back(90);  // far away: fewer, larger cells
+    for (const double radius : {0.01, 0.5, 1.3, 20.0}) {
+      const auto found = neighbors_within(points, dimension, 401, radius);
+      const std::vector<double> counts = count_within(points, dimension, 401, radius);
+      for (std::size_t i = 0; i < found.size(); ++i) ASSERT_EQ(counts[i], static_cast<double>(found[i].size()));
+    }
+  }
+  EXPECT_TRUE(count_within({}, 3, 0, 1).empty());
 }
 
 TEST(NeighborSearch, NothingToFind) {

@@ -21,6 +21,13 @@ struct TangentLaw {
   std::vector<double> flow;           ///< coefficient of q (q . de)
 };
 
+/// Bytes on this rank of the arrays that a run of a scene comes to hold in its loops.
+struct LoopMemory {
+  std::size_t evaluation = 0;  ///< strain sums and internal force
+  std::size_t tangent = 0;     ///< products; diagonal blocks need twelve arrays more for a moment
+  std::size_t plastic = 0;     ///< plastic extension, once everything has flowed; nothing where nothing has
+};
+
 /// The loops over the bonds of one scene, and their arrays: internal force, tangent product, diagonal blocks, growth of
 /// plastic extension, all on the same sweeps. What an elastic or a small-strain scene does not need is not in its
 /// loops. Arrays with "local" hold ghosts too; those of ghosts' families are other ranks' business.
@@ -51,7 +58,9 @@ class FamilyLoops {
   virtual void advance(const double* displacement, const double* mean, const double* flow,
                        PlasticExtension& plastic) = 0;
 
-  /// Bytes of the arrays held here.
+  /// What the arrays will take.
+  virtual LoopMemory expected() const = 0;
+  /// Bytes of the arrays held here now.
   virtual std::size_t bytes() const = 0;
 };
 

@@ -19,12 +19,13 @@ struct Pair {
   Vector length;       ///< |Y|; 0 in lanes without a bond
 };
 
-template <int d, bool small, class Access>
+/// moved: the displacement matters; without it (the elastic tangent of small strain) none is read.
+template <int d, bool small, bool moved = true, class Access>
 PERINOX_INLINE Pair<d> pair_of(const Access& far, const Vector* u) {
   Pair<d> p;
   Vector square = {};
   for (int c = 0; c < d; ++c) {
-    p.relative[c] = far.u(c) - u[c];
+    p.relative[c] = moved ? far.u(c) - u[c] : Vector{};
     p.bond[c] = far.template bond<!small>(c, p.relative[c]);
     if (!small) square += p.bond[c] * p.bond[c];
   }
@@ -125,15 +126,16 @@ struct Forces {
 
 template <int d, bool small, bool plastic>
 struct ProductSums {
+  static constexpr bool moved = !small || plastic;
   Vector u[d], x[d], sum[2] = {};
 
   template <class Own>
   PERINOX_INLINE explicit ProductSums(const Own& own) {
-    for (int c = 0; c < d; ++c) u[c] = own.u(c), x[c] = own.x(c);
+    for (int c = 0; c < d; ++c) u[c] = moved ? own.u(c) : Vector{}, x[c] = own.x(c);
   }
   template <class Access>
   PERINOX_INLINE void visit(const Access& far) {
-    const Pair<d> p = pair_of<d, small>(far, u);
+    const Pair<d> p = pair_of<d, small, moved>(far, u);
     Vector change = {};
     for (int c = 0; c < d; ++c) change += p.bond[c] * (far.x(c) - x[c]);
     change *= p.inverse;
@@ -157,17 +159,18 @@ struct ProductSums {
 /// dT = dt M + (t/|Y|)(dU - M de).
 template <int d, bool small, bool plastic>
 struct ProductForces {
+  static constexpr bool moved = !small || plastic;
   Vector u[d], x[d], radial, shear, along, flow = {}, pulled[d] = {};
 
   template <class Own>
   PERINOX_INLINE explicit ProductForces(const Own& own)
-      : radial(own.law(Law::radial)), shear(own.law(Law::shear)), along(own.law(Law::along)) {
-    for (int c = 0; c < d; ++c) u[c] = own.u(c), x[c] = own.x(c);
+      : radial(small ? Vector{} : own.law(Law::radial)), shear(own.law(Law::shear)), along(own.law(Law::along)) {
+    for (int c = 0; c < d; ++c) u[c] = moved ? own.u(c) : Vector{}, x[c] = own.x(c);
     if (plastic) flow = own.law(Law::flow);
   }
   template <class Access>
   PERINOX_INLINE void visit(const Access& far) {
-    const Pair<d> p = pair_of<d, small>(far, u);
+    const Pair<d> p = pair_of<d, small, moved>(far, u);
     Vector step[d], change = {};
     for (int c = 0; c < d; ++c) {
       step[c] = far.x(c) - x[c];
@@ -205,26 +208,27 @@ struct ProductForces {
 
 template <int d, bool small, bool plastic>
 struct DiagonalBlocks {
+  static constexpr bool moved = !small || plastic;
   static constexpr int entries = d * (d + 1) / 2;
   static constexpr int results = entries + d + (plastic ? d : 0);
   Vector u[d], radial, shear, mean, along, flow, result[12] = {};
 
   template <class Own>
   PERINOX_INLINE explicit DiagonalBlocks(const Own& own)
-      : radial(own.law(Law::radial)),
+      : radial(small ? Vector{} : own.law(Law::radial)),
         shear(own.law(Law::shear)),
-        mean(own.mean()),
+        mean(plastic ? own.mean() : Vector{}),
         along(own.law(Law::along)),
-        flow(own.law(Law::flow)) {
-    for (int c = 0; c < d; ++c) u[c] = own.u(c);
+        flow(plastic ? own.law(Law::flow) : Vector{}) {
+    for (int c = 0; c < d; ++c) u[c] = moved ? own.u(c) : Vector{};
   }
   template <class Access>
   PERINOX_INLINE void visit(const Access& far) {
-    const Pair<d> p = pair_of<d, small>(far, u);
+    const Pair<d> p = pair_of<d, small, moved>(far, u);
     Vector m[d];
     for (int c = 0; c < d; ++c) m[c] = p.bond[c] * p.inverse;
     const Vector far_shear = far.law(Law::shear), both = shear + far_shear;
-    const Vector e = rounded_extension<d, small>(p, far);
+    const Vector e = moved ? rounded_extension<d, small>(p, far) : Vector{};
     Vector near = e, away = e, t = {};
     if (plastic) near -= load(far.plastic_near()), away -= load(far.plastic_far());
     if (!small)

@@ -63,10 +63,10 @@ struct PairView {
 
 /// Point values of the law, t = omega (radial xi + shear (e - e_p)).
 enum Law {
-  radial = 0,
-  shear = 1,
-  along = 2,  ///< product: c1 Theta - mean c2 Q; diagonal blocks: c1
-  flow = 3    ///< product: c2 Q; diagonal blocks: c2; advance: share of the elastic part that flows
+  shear = 0,
+  along = 1,  ///< product: c1 Theta - mean c2 Q; diagonal blocks: c1
+  flow = 2,   ///< product: c2 Q; diagonal blocks: c2; advance: share of the elastic part that flows
+  radial = 3  ///< not read by the tangent of small strain, which has no geometric term
 };
 
 /// The sweeps of one instruction set. `small`: bonds keep their reference direction.
