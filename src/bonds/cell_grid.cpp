@@ -11,6 +11,10 @@ namespace perinox::bonds {
 namespace {
 constexpr std::int64_t lanes = 8;  // of the widest vectors
 constexpr double emptiest = 16;    // cells a particle
+constexpr double clearly = 0.95;   // other rows than x make reading and writing by particles slower
+
+/// Lanes a row of n cells takes, a cell.
+double padding(double n) { return std::ceil(n / lanes) * lanes / n; }
 }  // namespace
 
 std::optional<CellGrid> find_grid(const body::Body& body) {
@@ -33,12 +37,15 @@ std::optional<CellGrid> find_grid(const body::Body& body) {
       high[c] = std::max(high[c], body.position(i)[c]);
     }
   double box = 1;
+  std::array<double, 3> extent{1, 1, 1};
   for (int c = 0; c < d; ++c) {
-    const double extent = std::round((high[c] - low[c]) / h) + 1;
-    box *= extent;
+    extent[c] = std::round((high[c] - low[c]) / h) + 1;
+    box *= extent[c];
     if (!(box <= emptiest * local + 4096)) return std::nullopt;
-    grid.cells[c] = static_cast<std::int64_t>(extent);
   }
+  for (int c = 1; c < d; ++c)
+    if (padding(extent[c]) < clearly * padding(extent[grid.axis[0]])) std::swap(grid.axis[0], grid.axis[c]);
+  for (int k = 0; k < d; ++k) grid.cells[k] = static_cast<std::int64_t>(extent[grid.axis[k]]);
   grid.row = (grid.cells[0] + lanes - 1) / lanes * lanes;
   grid.plane = grid.row * grid.cells[1];
   grid.particle.assign(static_cast<std::size_t>(grid.plane * grid.cells[2]), -1);
@@ -46,12 +53,13 @@ std::optional<CellGrid> find_grid(const body::Body& body) {
   const std::int64_t strides[3] = {1, grid.row, grid.plane};
   for (int i = 0; i < local; ++i) {
     std::int64_t cell = 0;
-    for (int c = 0; c < d; ++c) {
+    for (int k = 0; k < d; ++k) {
+      const int c = grid.axis[k];
       const double x = body.position(i)[c];
       const double steps = std::round((x - low[c]) / h);
       const double rounding = 8 * std::numeric_limits<double>::epsilon() * (std::abs(x) + std::abs(low[c]));
       if (std::abs(x - low[c] - steps * h) > 1e-11 * h + rounding) return std::nullopt;
-      cell += static_cast<std::int64_t>(steps) * strides[c];
+      cell += static_cast<std::int64_t>(steps) * strides[k];
     }
     if (grid.particle[cell] >= 0) return std::nullopt;
     grid.particle[cell] = i;

@@ -1,4 +1,6 @@
 /// The point formulas spread over the bonds of one family.
+#include <stdexcept>
+
 #include "perinox/materials/material.hpp"
 
 namespace perinox::materials {
@@ -24,6 +26,14 @@ FamilySums sums_of(const Family& family, const double* extension, const double* 
 }
 
 }  // namespace
+
+PointState Material::state(const FamilySums&, const double*, double*) const {
+  throw std::logic_error("this material has no point formulas of its family's sums");
+}
+
+PointModulus Material::modulus(const FamilySums&, const double*, deck::TangentForm) const {
+  throw std::logic_error("this material has no point formulas of its family's sums");
+}
 
 PointResponse Material::respond(const Family& family, const double* extension, CommittedHistory committed,
                                 double* force_state, TrialHistory trial) const {

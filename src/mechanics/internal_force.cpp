@@ -6,23 +6,30 @@
 #include <cmath>
 
 #include "evaluation.hpp"
+#include "stored_force.hpp"
 
 namespace perinox::mechanics {
 
-void internal_force(const Scene& scene, const Committed& committed, const double* displacement, Trial& trial,
-                    double* force) {
-  Evaluation& evaluation = scene.evaluation();
-  evaluation.at(scene, committed, displacement);
+namespace {
+
+void prepare(const Scene& scene, const Committed& committed, Trial& trial) {
   const auto owned = static_cast<std::size_t>(scene.owned());
-  trial.displacement = evaluation.displacement();
   trial.point_history.resize(committed.point_history().size());
   trial.dilatation.resize(owned);
-  trial.mean.resize(owned);
+  trial.mean.assign(owned, 0.0);
   trial.stored_energy.resize(owned);
   trial.flow.resize(scene.plastic() ? owned : 0);
   trial.stored = trial.dissipated = 0;
   trial.yielding = 0;
+}
 
+/// By the sweeps: sums, the materials' answers to them, forces.
+void swept_force(const Scene& scene, const Committed& committed, const double* displacement, Trial& trial,
+                 std::vector<double>& force) {
+  Evaluation& evaluation = scene.evaluation();
+  evaluation.at(scene, committed, displacement);
+  trial.displacement = evaluation.displacement();
+  const auto owned = static_cast<std::size_t>(scene.owned());
   std::vector<double> radial(owned), shear(owned);
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
     const materials::PointState point =
@@ -38,9 +45,23 @@ void internal_force(const Scene& scene, const Committed& committed, const double
     trial.dissipated += scene.body().volume[i] * point.response.dissipation;
     trial.yielding += point.response.yielding ? 1 : 0;
   }
+  evaluation.loops().forces(radial.data(), shear.data(), committed.plastic(), force.data());
+}
 
-  std::vector<double> all(scene.local_unknowns());
-  evaluation.loops().forces(radial.data(), shear.data(), committed.plastic(), all.data());
+}  // namespace
+
+void internal_force(const Scene& scene, const Committed& committed, const double* displacement, Trial& trial,
+                    double* force) {
+  prepare(scene, committed, trial);
+  std::vector<double> all(scene.local_unknowns(), 0.0);
+  if (scene.from_sums()) {
+    swept_force(scene, committed, displacement, trial, all);
+  } else {
+    trial.displacement.resize(scene.local_unknowns());
+    std::copy(displacement, displacement + scene.owned_unknowns(), trial.displacement.begin());
+    scene.body().halo.update_ghosts(trial.displacement.data(), scene.dimension());
+    stored_force(scene, committed, trial, all);
+  }
   scene.body().halo.add_to_owners(all.data(), scene.dimension());
   std::copy(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()), force);
 }

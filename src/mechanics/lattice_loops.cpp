@@ -8,27 +8,33 @@
 namespace perinox::mechanics {
 
 namespace {
-constexpr std::int64_t line = 8;      // doubles a cache line
+constexpr std::int64_t line = 8;    // doubles a cache line
+constexpr std::int64_t page = 512;  // doubles a page
+/// Numbers of the arrays that the sweeps use together.
+namespace place {
+constexpr int u = 0, x = 3, law = 6, mean = 10, out = 11;
+}
 constexpr std::int64_t stagger = 24;  // doubles between the places of a page where consecutive arrays begin
 }  // namespace
 
 namespace {
 std::int64_t room_of(std::int64_t guard) { return (guard + line) / line * line; }
 std::int64_t length_of(std::int64_t cells, std::int64_t guard) {
-  return (cells + 2 * room_of(guard) + 511) / 512 * 512 + stagger;
+  return (cells + 2 * room_of(guard) + page - 1) / page * page + stagger;
 }
 }  // namespace
 
 std::size_t GridArrays::bytes_of(int count, std::int64_t cells, std::int64_t guard) {
-  return static_cast<std::size_t>(count * length_of(cells, guard) + line) * sizeof(double);
+  return static_cast<std::size_t>(count * length_of(cells, guard) + 2 * page) * sizeof(double);
 }
 
-void GridArrays::allocate(int count, std::int64_t cells, std::int64_t guard) {
+void GridArrays::allocate(int count, std::int64_t cells, std::int64_t guard, int number) {
   cells_ = cells;
   const std::int64_t room = room_of(guard), length = length_of(cells, guard);
-  memory_.assign(static_cast<std::size_t>(count * length + line), 0.0);
+  memory_.assign(static_cast<std::size_t>(count * length + 2 * page), 0.0);
   auto* first = memory_.data();
-  while (reinterpret_cast<std::uintptr_t>(first) % 64 != 0) ++first;
+  while (reinterpret_cast<std::uintptr_t>(first) % (page * sizeof(double)) != 0) ++first;
+  first += number * stagger;
   start_.clear();
   for (int k = 0; k < count; ++k) start_.push_back(first + k * length + room);
 }
@@ -49,7 +55,7 @@ LatticeLoops::LatticeLoops(const Scene& scene)
   for (const bonds::StencilOffset& offset : families_.offsets()) {
     kernels::Offset o;
     o.cell = offset.step[0] + offset.step[1] * grid.row + offset.step[2] * grid.plane;
-    for (int c = 0; c < 3; ++c) o.bond[c] = offset.step[c] * grid.spacing;
+    for (int k = 0; k < 3; ++k) o.bond[grid.axis[k]] = offset.step[k] * grid.spacing;
     o.length = offset.length;
     o.inverse = 1 / offset.length;
     o.influence = offset.influence * offset.share * volume;
@@ -83,8 +89,8 @@ LoopMemory LatticeLoops::expected() const {
   return memory;
 }
 
-void LatticeLoops::require(GridArrays& arrays, int count) {
-  if (arrays.empty()) arrays.allocate(count, families_.grid().size(), guard_);
+void LatticeLoops::require(GridArrays& arrays, int count, int first) {
+  if (arrays.empty()) arrays.allocate(count, families_.grid().size(), guard_, first);
 }
 
 kernels::LatticeView LatticeLoops::view(double* const* plastic, Range range) const {
@@ -121,9 +127,9 @@ void LatticeLoops::sweep(kernels::LatticeSweeps::Sweep run, kernels::LatticeView
 
 void LatticeLoops::strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
                                StrainSums& sums) {
-  require(u_, d_);
-  require(mean_, 1);
-  require(out_, 3);
+  require(u_, d_, place::u);
+  require(mean_, 1, place::mean);
+  require(out_, 3, place::out);
   put(displacement, d_, 0, local_, u_, 0);
   put(shift, 1, 0, owned_, mean_, 0);
   const bool flowed = plastic.chunks() != nullptr;
@@ -145,7 +151,7 @@ void LatticeLoops::strain_sums(const double* displacement, const double* shift, 
 }
 
 void LatticeLoops::forces(const double* radial, const double* shear, const PlasticExtension& plastic, double* force) {
-  require(law_, 2);
+  require(law_, 2, place::law);
   put(radial, 1, 0, owned_, law_, 0);
   put(shear, 1, 0, owned_, law_, 1);
   kernels::LatticeView g = view(plastic.chunks(), every);
@@ -162,16 +168,16 @@ void LatticeLoops::forces(const double* radial, const double* shear, const Plast
 
 void LatticeLoops::linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) {
   if (moved_) {
-    require(u_, d_);
+    require(u_, d_, place::u);
     put(displacement, d_, 0, local_, u_, 0);
   }
   if (plastic_body_) {
-    require(mean_, 1);
+    require(mean_, 1, place::mean);
     put(law.mean.data(), 1, 0, owned_, mean_, 0);
   }
-  require(x_, d_);
-  require(law_, small_ ? 3 : 4);
-  require(out_, std::max(d_, 2));
+  require(x_, d_, place::x);
+  require(law_, small_ ? 3 : 4, place::law);
+  require(out_, std::max(d_, 2), place::out);
   if (!small_) put(law.radial.data(), 1, 0, owned_, law_, kernels::radial);
   put(law.shear.data(), 1, 0, owned_, law_, kernels::shear);
   const std::vector<std::int64_t>& cell = families_.grid().cell;
@@ -269,7 +275,7 @@ void LatticeLoops::product(const double* x, double* y) {
 void LatticeLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
   const int results = d_ * (d_ + 1) / 2 + d_ + (plastic_.empty() ? 0 : d_);
   GridArrays out;
-  require(out, results);
+  require(out, results, place::x);
   put(law.dilatation.data(), 1, 0, owned_, law_, kernels::along);
   put(law.flow.data(), 1, 0, owned_, law_, kernels::flow);
   kernels::LatticeView g = view(plastic_.empty() ? nullptr : plastic_.data(), every);
@@ -288,10 +294,10 @@ void LatticeLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
 
 void LatticeLoops::advance(const double* displacement, const double* mean, const double* flow,
                            PlasticExtension& plastic) {
-  require(u_, d_);
-  require(mean_, 1);
+  require(u_, d_, place::u);
+  require(mean_, 1, place::mean);
   GridArrays flowing;
-  require(flowing, 1);
+  require(flowing, 1, place::law);
   put(displacement, d_, 0, local_, u_, 0);
   put(mean, 1, 0, owned_, mean_, 0);
   put(flow, 1, 0, owned_, flowing, 0);

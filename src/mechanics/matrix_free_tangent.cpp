@@ -49,7 +49,7 @@ void MatrixFreeTangent::diagonal_blocks(double* blocks) const {
 std::size_t MatrixFreeTangent::bytes() const { return loops_->bytes() + 5 * law_.radial.size() * sizeof(double); }
 
 std::unique_ptr<Tangent> make_tangent(const Scene& scene, deck::TangentForm form) {
-  if (form == deck::TangentForm::consistent) return std::make_unique<MatrixFreeTangent>(scene);
+  if (form == deck::TangentForm::consistent && scene.from_sums()) return std::make_unique<MatrixFreeTangent>(scene);
   return std::make_unique<StoredTangent>(scene);
 }
 

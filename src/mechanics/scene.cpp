@@ -74,16 +74,20 @@ Scene::~Scene() = default;
 
 void Scene::complete() {
   std::vector<std::int64_t> needs;
-  std::vector<bool> plastic;
+  std::vector<int> per_bond;
   for (const auto& material : materials_) {
+    from_sums_ = from_sums_ && material->from_sums();
     const materials::HistoryLayout layout = material->history();
     needs.push_back(static_cast<std::int64_t>(layout.point.size()));
-    plastic.push_back(layout.per_bond > 0);
+    per_bond.push_back(layout.per_bond);
   }
   point_history_.assign(1, 0);
+  if (!from_sums_) bond_history_.assign(1, 0);
   for (LocalIndex i = 0; i < body_.owned; ++i) {
     point_history_.push_back(point_history_.back() + needs[body_.material[i]]);
-    plastic_ = plastic_ || plastic[body_.material[i]];
+    const int values = per_bond[body_.material[i]];
+    plastic_ = plastic_ || (from_sums_ && values > 0);
+    if (!from_sums_) bond_history_.push_back(bond_history_.back() + values * families_.size[i]);
     largest_family_ = std::max(largest_family_, families_.size[i]);
   }
 }

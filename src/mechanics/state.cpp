@@ -17,6 +17,7 @@ std::uint64_t next_version() {
 Committed::Committed(const Scene& scene)
     : displacement_(scene.local_unknowns(), 0.0),
       point_history_(static_cast<std::size_t>(scene.point_history().back()), 0.0),
+      bond_history_(scene.from_sums() ? 0 : static_cast<std::size_t>(scene.bond_history().back()), 0.0),
       mean_(static_cast<std::size_t>(scene.owned()), 0.0),
       plastic_(std::make_shared<PlasticExtension>()),
       version_(next_version()) {}
@@ -28,6 +29,7 @@ void Committed::advance(const Scene& scene, Trial&& trial) {
   t_ = trial.t;
   displacement_ = std::move(trial.displacement);
   point_history_ = std::move(trial.point_history);
+  bond_history_ = std::move(trial.bond_history);
   mean_ = std::move(trial.mean);
   version_ = next_version();
 }

@@ -60,9 +60,14 @@ void StoredTangent::linearise_points(const Committed& committed, deck::TangentFo
     const auto first = static_cast<std::size_t>(scene_.bonds().offset[i]);
     family_kinematics<d>(scene_, i, x_.data(), extension.data(), &direction_[first * d], stretched.data());
     trial_point.resize(static_cast<std::size_t>(scene_.point_history()[i + 1] - scene_.point_history()[i]));
-    trial_bond.resize(plastic.empty() ? 0 : largest);
-    const materials::CommittedHistory history{committed.point_history(scene_, i),
-                                              plastic.empty() ? nullptr : plastic.data() + first};
+    const double* bond_history = plastic.empty() ? nullptr : plastic.data() + first;
+    std::size_t bond_values = plastic.empty() ? 0 : largest;
+    if (!scene_.from_sums()) {
+      bond_history = committed.bond_history().data() + scene_.bond_history()[i];
+      bond_values = static_cast<std::size_t>(scene_.bond_history()[i + 1] - scene_.bond_history()[i]);
+    }
+    trial_bond.resize(bond_values);
+    const materials::CommittedHistory history{committed.point_history(scene_, i), bond_history};
     scene_.material(i).respond(family, extension.data(), history, force_state.data(),
                                {trial_point.data(), trial_bond.data()});
     scene_.material(i).modulus(family, extension.data(), history, form, modulus);

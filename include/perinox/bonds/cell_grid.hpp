@@ -8,12 +8,14 @@
 
 namespace perinox::bonds {
 
-/// The cells of a lattice that this rank's particles lie on, at most one particle a cell. Rows run along x; a row's
-/// cells are padded to a multiple of eight and nothing else is: the cell one step beyond a row's end is another row's,
-/// so whoever steps through the cells must know which bonds there are.
+/// The cells of a lattice that this rank's particles lie on, at most one particle a cell. Rows run along x, unless
+/// another axis fills groups of eight clearly better; positions and steps are along the grid's axes. A row's cells are
+/// padded to a multiple of eight and nothing else is: the cell one step beyond a row's end is another row's, so whoever
+/// steps through the cells must know which bonds there are.
 struct CellGrid {
   int dimension = 3;
   double spacing = 0;
+  std::array<int, 3> axis{0, 1, 2};            ///< axis of space along each axis of the grid; the first is the row's
   std::array<std::int64_t, 3> cells{1, 1, 1};  ///< of the box that holds the particles
   std::int64_t row = 0;                        ///< step from one row to the next
   std::int64_t plane = 0;                      ///< step from one plane to the next
@@ -26,10 +28,10 @@ struct CellGrid {
   LocalIndex neighbor(const std::array<std::int64_t, 3>& at, const std::array<int, 3>& step) const {
     std::int64_t c = 0;
     const std::int64_t strides[3] = {1, row, plane};
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::int64_t k = at[axis] + step[axis];
-      if (k < 0 || k >= cells[axis]) return -1;
-      c += k * strides[axis];
+    for (int k = 0; k < 3; ++k) {
+      const std::int64_t to = at[k] + step[k];
+      if (to < 0 || to >= cells[k]) return -1;
+      c += to * strides[k];
     }
     return particle[c];
   }

@@ -9,10 +9,10 @@ namespace perinox::bonds {
 
 /// One offset of the half stencil: it stands for the bond to the cell `step` further on and for the reverse bond.
 struct StencilOffset {
-  std::array<int, 3> step{};
-  double length = 0;     ///< xi
-  double share = 0;      ///< the quadrature's share of the far volume
-  double influence = 0;  ///< omega(xi)
+  std::array<int, 3> step{};  ///< cells along the grid's axes
+  double length = 0;          ///< xi
+  double share = 0;           ///< the quadrature's share of the far volume
+  double influence = 0;       ///< omega(xi)
 };
 
 /// The families of a lattice body without a word a bond: one stencil for all, and for every eight neighbouring cells of

@@ -16,21 +16,25 @@ struct ElasticModuli {
   double shear = 0;
 };
 
-/// An ordinary material: the energy, force state and modulus state of a point, from the sums over its family. Nothing
-/// else in the code knows what the material is. Stateless: all history is handed in.
+/// An ordinary material: the energy, force state and modulus state of a point. Nothing else in the code knows what the
+/// material is. Stateless: all history is handed in. Where the force state is t<xi> = omega (radial xi + shear (e -
+/// e_p)) with coefficients that depend on sums over the family only, a material gives state() and modulus(sums), and
+/// the fast sweeps do the rest. Any other law says so in from_sums() and gives respond() and modulus(family), bond by
+/// bond; its scenes take the loops over stored bonds.
 class Material {
  public:
   virtual ~Material() = default;
 
   virtual HistoryLayout history() const { return {}; }
+  virtual bool from_sums() const { return true; }
 
   /// The point's answer to the sums at a state under trial. Reads the committed point history, writes every entry of
   /// the trial one (both [HistoryLayout::point.size()]).
-  virtual PointState state(const FamilySums& sums, const double* committed, double* trial) const = 0;
+  virtual PointState state(const FamilySums& sums, const double* committed, double* trial) const;
 
   /// dt/de of state() at the same sums and committed history.
   /// `printed` gives the modulus state as the source paper prints it, where that differs.
-  virtual PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const = 0;
+  virtual PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const;
 
   /// Scalar force state t<xi> (force a volume squared) of one family with extension state e, bond by bond: state() and
   /// its sums. extension, force_state: [count]. Writes every entry of the trial history.

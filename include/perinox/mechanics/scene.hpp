@@ -43,7 +43,11 @@ class Scene {
   /// Where each owned particle's point history lies in the state arrays: [owned + 1]. A material without history takes
   /// no room.
   const std::vector<std::int64_t>& point_history() const { return point_history_; }
-  /// True if any particle's material carries plastic extension.
+  /// False where any material has no point formulas of sums: then the loops over stored bonds are taken, and bond
+  /// history is kept plainly: that of particle i's bonds begins at bond_history()[i] [owned + 1].
+  bool from_sums() const { return from_sums_; }
+  const std::vector<std::int64_t>& bond_history() const { return bond_history_; }
+  /// True if any particle's material carries plastic extension in the sweeps' own order.
   bool plastic() const { return plastic_; }
   /// True if bonds keep their reference direction: no geometric term anywhere.
   bool small_strain() const { return small_strain_; }
@@ -77,6 +81,8 @@ class Scene {
   std::unique_ptr<bonds::PairFamilies> pairs_;
   std::vector<std::unique_ptr<materials::Material>> materials_;
   std::vector<std::int64_t> point_history_;
+  std::vector<std::int64_t> bond_history_;  ///< empty if from_sums()
+  bool from_sums_ = true;
   bool plastic_ = false;
   bool small_strain_ = false;
   int largest_family_ = 0;

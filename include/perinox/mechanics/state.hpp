@@ -13,6 +13,7 @@ struct Trial {
   double t = 0;
   std::vector<double> displacement;  ///< [local * dimension], ghosts up to date
   std::vector<double> point_history;
+  std::vector<double> bond_history;   ///< only where the scene is not made of sums
   std::vector<double> flow;           ///< [owned] share of the elastic part that flows; empty: no plastic material
   std::vector<double> dilatation;     ///< [owned]
   std::vector<double> mean;           ///< [owned] dilatation/d as the material takes it
@@ -45,6 +46,9 @@ class Committed {
   /// Differs between any two states.
   std::uint64_t version() const { return version_; }
 
+  /// Of a scene that is not made of sums.
+  const std::vector<double>& bond_history() const { return bond_history_; }
+
   const double* point_history(const Scene& scene, LocalIndex i) const {
     return point_history_.data() + scene.point_history()[i];
   }
@@ -53,6 +57,7 @@ class Committed {
   double t_ = 0;
   std::vector<double> displacement_;
   std::vector<double> point_history_;
+  std::vector<double> bond_history_;
   std::vector<double> mean_;
   std::shared_ptr<PlasticExtension> plastic_;
   std::uint64_t version_ = 0;

@@ -27,7 +27,8 @@ class Tangent {
   const Scene& scene_;
 };
 
-/// The tangent for the matrix-free product where there is one (the consistent form), else the stored one.
+/// The tangent for the matrix-free product where there is one (the consistent form, materials made of sums), else the
+/// stored one.
 std::unique_ptr<Tangent> make_tangent(const Scene& scene, deck::TangentForm form);
 
 }  // namespace perinox::mechanics
