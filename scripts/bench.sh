@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Measures what docs/performance.md quotes and writes the tables there, between its two marks; the prose stays.
-#   scripts/bench.sh [--quick]
+#   scripts/bench.sh [--quick | --tables]
 # --quick: bodies of 16^3 and 32^3 particles, everything once. Without it: up to 100^3, the short runs three times.
-# Nothing else should run meanwhile. Builds in build-bench, or in PERINOX_BUILD_DIR; what was measured stays there in
-# measured/, one line a run.
+# --tables: writes what was measured last once more. Nothing else should run meanwhile. Builds in build-bench, or in
+# PERINOX_BUILD_DIR; what was measured stays there in measured/, one line a run. Peak memory needs GNU time.
 set -euo pipefail
 export LC_ALL=C # a decimal point in every number
 folder=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -13,11 +13,13 @@ source "$folder/bench/kernels.sh"
 source "$folder/bench/runs.sh"
 source "$folder/bench/peridigm.sh"
 
-quick=
+quick=''
+tables_only=''
 case "${1:-}" in
   --quick) quick=yes ;;
+  --tables) tables_only=yes ;;
   "") ;;
-  *) stop "usage: scripts/bench.sh [--quick]" ;;
+  *) stop "usage: scripts/bench.sh [--quick | --tables]" ;;
 esac
 page=$source_dir/docs/performance.md
 begin='<!-- measured: begin -->'
@@ -30,36 +32,45 @@ else
   sizes=(16 32 64 100) loop_sizes='16|32|64|100' two_at_once=64 compared=(10 16 22 30) repeats=3 shortest=0.5
 fi
 
-install_packages
-configure_options=(-DPERINOX_BENCHMARKS=ON)
-configure_and_build --target perinox bench_mechanics bench_triad
-mpi_environment
-gnu_time=$(type -P time || true) # without it the peak memory stays unknown
-
 measured=$build_dir/measured
-rm -rf "$measured"
-mkdir -p "$measured"
 scratch=$(mktemp -d)
 export TMPDIR=$scratch
 trap 'rm -rf "$scratch"' EXIT
 
+load=$(cut -d ' ' -f 1 /proc/loadavg) # before the build, which is a load itself
 about() {
-  local load
-  load=$(cut -d ' ' -f 1 /proc/loadavg)
-  printf 'Measured on %s%s with %s: %s, %s cores, %s; `%s`; load of the machine before: %s.\n' \
+  local changed=''
+  git -C "$source_dir" diff --quiet HEAD -- . ':!docs' 2>/dev/null || changed=' and changes'
+  printf 'Measured on %s%s with %s%s, `%s`: %s, %s cores, %s; load of the machine before: %s.\n' \
     "$(date -u +%Y-%m-%d)" "$([ "$quick" ] && echo ', in the quick form,')" \
-    "$(git -C "$source_dir" describe --always --dirty 2>/dev/null || echo 'an unknown state')" \
-    "$(awk -F ': *' '/^model name/ {print $2; exit}' /proc/cpuinfo)" "$(nproc)" \
-    "$(awk '/^MemTotal/ {printf "%.0f GB", $2 / 1e6}' /proc/meminfo)" \
-    "$(awk -F = '/^CMAKE_BUILD_TYPE/ {print $2}' "$build_dir/CMakeCache.txt")" "$load"
+    "$(git -C "$source_dir" rev-parse --short HEAD 2>/dev/null || echo 'an unknown state')" "$changed" \
+    "$(awk -F = '/^CMAKE_BUILD_TYPE/ {print $2}' "$build_dir/CMakeCache.txt")" \
+    "$(awk -F ': *' '/^model name/ {print $2; exit}' /proc/cpuinfo)" "$(env -u OMP_NUM_THREADS nproc)" \
+    "$(awk '/^MemTotal/ {printf "%.0f GB", $2 / 1e6}' /proc/meminfo)" "$load"
   awk -v load="$load" 'BEGIN {if (load > 0.7) print "\n**The machine was busy: every time below is provisional.**"}'
 }
 
-about >"$measured/about.md"
-measure_machine
-measure_loops
-measure_runs
-measure_peridigm_scenes
+measure() {
+  install_packages
+  configure_options=(-DPERINOX_BENCHMARKS=ON)
+  configure_and_build --target perinox bench_mechanics bench_triad
+  mpi_environment
+  gnu_time=$(type -P time || true)
+  rm -rf "$measured"
+  mkdir -p "$measured"
+  about >"$measured/about.md"
+  measure_machine "before the loops"
+  measure_loops
+  measure_machine "after the loops"
+  measure_runs
+  measure_peridigm_scenes
+}
+
+if [ -z "$tables_only" ]; then
+  measure
+elif [ ! -f "$measured/about.md" ]; then
+  stop "nothing was measured yet: there is no $measured/about.md"
+fi
 
 {
   printf '%s\n\n' "$begin"
