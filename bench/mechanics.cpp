@@ -150,6 +150,10 @@ void sizes(benchmark::internal::Benchmark* loop) {
     for (const int plastic : {0, 1})
       for (const int n : {16, 32, 64}) loop->Args({n, plastic, cloud});
 }
+void large(benchmark::internal::Benchmark* loop) {
+  sizes(loop);
+  for (const int plastic : {0, 1}) loop->Args({100, plastic, 0});
+}
 void small(benchmark::internal::Benchmark* loop) {
   loop->ArgNames({"n", "plastic", "cloud"})->Unit(benchmark::kMillisecond);
   for (const int plastic : {0, 1}) loop->Args({16, plastic, 0});
@@ -157,7 +161,7 @@ void small(benchmark::internal::Benchmark* loop) {
 BENCHMARK(internal_force)->Apply(sizes);
 BENCHMARK(linearise)->Apply(sizes);
 BENCHMARK(diagonal_blocks)->Apply(sizes);
-BENCHMARK(product)->Apply(sizes);
+BENCHMARK(product)->Apply(large);
 BENCHMARK(assembly)->Apply(small);
 BENCHMARK(assembled_product)->Apply(small);
 

@@ -3,6 +3,7 @@
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=${PERINOX_BUILD_DIR:-$source_dir/build}
+configure_options=() # for cmake, besides the build type
 
 # docs/dependencies.md says why each is there.
 packages=(
@@ -71,7 +72,7 @@ configure_and_build() {
   local generator=()
   [ -f "$build_dir/CMakeCache.txt" ] || generator=(-G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo)
   say "configuring and building in $build_dir on $(parallel_jobs) cores"
-  cmake -S "$source_dir" -B "$build_dir" "${generator[@]}" >"$build_dir.log" 2>&1 || {
+  cmake -S "$source_dir" -B "$build_dir" "${generator[@]}" "${configure_options[@]}" >"$build_dir.log" 2>&1 || {
     cat "$build_dir.log" >&2
     rm -f "$build_dir.log"
     stop "the configuration failed, see above"
