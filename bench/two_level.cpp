@@ -129,6 +129,8 @@ void run(int argc, char** argv) {
   settings.cell_nearly_incompressible = options.number("cell", settings.cell_nearly_incompressible);
   settings.bulk_limit = options.number("bulk_limit", settings.bulk_limit);
   settings.spring = options.number("spring", settings.spring);
+  settings.weight = options.number("weight", settings.weight);
+  settings.smoothing = static_cast<int>(options.number("smoothing", settings.smoothing));
   settings.factorised_up_to =
       static_cast<long long>(options.number("direct", static_cast<double>(settings.factorised_up_to)));
   const double start = now();

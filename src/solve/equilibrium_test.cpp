@@ -4,11 +4,15 @@
 #include <NOX_Thyra.H>
 
 #include <NOX_SolverStats.hpp>
+#include <algorithm>
 #include <cmath>
 
 namespace perinox::solve {
 
 namespace {
+
+/// The last linear solve of a step aims at this share of the residual that counts as converged.
+constexpr double safety = 0.1;
 
 /// The owned unknowns of one of NOX's vectors.
 std::vector<double> values_of(const NOX::Abstract::Vector& x) {
@@ -23,14 +27,14 @@ std::vector<double> values_of(const NOX::Abstract::Vector& x) {
 
 EquilibriumTest::EquilibriumTest(const EquilibriumModel& model, const mechanics::Committed& committed,
                                  const deck::Newton& settings, int step, double t, Observer& observer,
-                                 const Teuchos::ParameterList& linear)
+                                 Teuchos::ParameterList& newton)
     : model_(model),
       committed_(committed),
       settings_(settings),
       step_(step),
       t_(t),
       observer_(observer),
-      linear_(linear) {}
+      newton_(newton) {}
 
 NOX::StatusTest::StatusType EquilibriumTest::checkStatus(const NOX::Solver::Generic& solver,
                                                          NOX::StatusTest::CheckType) {
@@ -45,7 +49,23 @@ NOX::StatusTest::StatusType EquilibriumTest::checkStatus(const NOX::Solver::Gene
             : small || last_.residual <= model_.rounding_floor() ? NOX::StatusTest::Converged
             : iteration >= settings_.max_iterations              ? NOX::StatusTest::Failed
                                                                  : NOX::StatusTest::Unconverged;
+  if (status_ == NOX::StatusTest::Unconverged && settings_.forcing == deck::Forcing::eisenstat_walker) set_forcing();
   return status_;
+}
+
+// Eisenstat and Walker's second choice; but Newton's steps converge quadratically, and so does the forcing term: without
+// the last bound the last solve of a step would go many orders below the residual that is asked for.
+void EquilibriumTest::set_forcing() {
+  Teuchos::ParameterList& linear = newton_.sublist("Linear Solver");
+  const double loosest = newton_.get<double>("Forcing Term Maximum Tolerance");
+  double forcing = loosest;
+  if (last_.iteration > 0 && last_.residual > 0 && before_ > 0)
+    forcing = newton_.get<double>("Forcing Term Gamma") *
+              std::pow(last_.residual / before_, newton_.get<double>("Forcing Term Alpha"));
+  if (last_.relative_residual > 0) forcing = std::max(forcing, safety * settings_.tolerance / last_.relative_residual);
+  forcing = std::max(forcing, newton_.get<double>("Forcing Term Minimum Tolerance"));
+  linear.set("Tolerance", std::min(forcing, loosest));
+  before_ = last_.residual;
 }
 
 NewtonIteration EquilibriumTest::describe(const NOX::Solver::Generic& solver) {
@@ -71,7 +91,7 @@ NewtonIteration EquilibriumTest::describe(const NOX::Solver::Generic& solver) {
   row.update = std::sqrt(squares[0]);
   row.relative_update = squares[1] > 0 ? std::sqrt(squares[0] / squares[1]) : 0;
   row.linear_iterations = solver.getSolverStatistics()->linearSolve.lastLinearSolve_NumIterations;
-  row.forcing = linear_.get<double>("Tolerance");
+  row.forcing = newton_.sublist("Linear Solver").get<double>("Tolerance");
   row.step_length = dynamic_cast<const NOX::Solver::LineSearchBased&>(solver).getStepSize();
   return row;
 }

@@ -83,8 +83,8 @@ RCP<Teuchos::ParameterList> Newton::Parts::nox_parameters() const {
   all->set("Nonlinear Solver", "Line Search Based");
   auto& newton = all->sublist("Direction").sublist("Newton");
   all->sublist("Direction").set("Method", "Newton");
-  const bool inexact = solver.newton.forcing == deck::Forcing::eisenstat_walker;
-  newton.set("Forcing Term Method", inexact ? "Type 2" : "Constant");
+  // Constant to NOX, which cannot bound its forcing term by what is left to reach: EquilibriumTest sets the tolerance.
+  newton.set("Forcing Term Method", "Constant");
   newton.set("Forcing Term Initial Tolerance", solver.linear.tolerance);
   newton.set("Forcing Term Maximum Tolerance", solver.linear.tolerance);
   newton.set("Forcing Term Minimum Tolerance", std::min(1e-8, solver.linear.tolerance));
@@ -145,7 +145,7 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
       new NOX::Thyra::Group(initial, p.model, p.model->create_W_op(), p.factory, p.model->create_W_prec(), no_factory));
   auto parameters = p.nox_parameters();
   auto test = rcp(new EquilibriumTest(*p.model, committed, p.deck.solver.newton, step, t, observer,
-                                      parameters->sublist("Direction").sublist("Newton").sublist("Linear Solver")));
+                                      parameters->sublist("Direction").sublist("Newton")));
   NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
   std::string trouble;
   try {

@@ -86,8 +86,9 @@ void TwoLevel::set(const std::vector<double>& blocks, double diagonal) {
     for (int c = 0; c < matrix.dimension; ++c) block[c * (matrix.dimension + 1)] *= 1 + grounding;
   }
   const Communicator& ranks = scene_.body().communicator;
-  solver_ = coarse_unknowns(ranks, grid_) <= settings_.factorised_up_to ? factorised_coarse_solver(ranks, grid_, matrix)
-                                                                        : multigrid_coarse_solver(ranks, grid_, matrix);
+  solver_ = coarse_unknowns(ranks, grid_) <= settings_.factorised_up_to
+                ? factorised_coarse_solver(ranks, grid_, matrix)
+                : multigrid_coarse_solver(ranks, grid_, matrix, settings_.smoothing);
   graph_ = nullptr;  // may hold a word a bond
 }
 
@@ -97,6 +98,8 @@ void TwoLevel::multiply(const double* x, double* y) const {
   grid_.restrict_to_nodes(x, right_.data());
   const double restricted = now();
   solver_->solve(right_.data(), solution_.data());
+  if (settings_.weight != 1)
+    for (double& value : solution_) value *= settings_.weight;
   const double solved = now();
   grid_.add_interpolated(solution_.data(), y);
   solve_seconds_ = solved - restricted;

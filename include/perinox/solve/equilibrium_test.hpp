@@ -10,12 +10,14 @@
 namespace perinox::solve {
 
 /// Converged when the residual is small against the reactions and the last update is small against the step; or when
-/// nothing but rounding is left. Also tells the observer of every iterate.
+/// nothing but rounding is left. Also tells the observer of every iterate, and sets the tolerance of the next linear
+/// solve where it adapts to Newton's progress.
 class EquilibriumTest : public NOX::StatusTest::Generic {
  public:
-  /// linear: the list NOX writes the forcing term into. Everything is kept by reference.
+  /// newton: NOX's list of the direction, with the bounds of the forcing term; its "Linear Solver" holds the term.
+  /// Everything is kept by reference.
   EquilibriumTest(const EquilibriumModel& model, const mechanics::Committed& committed, const deck::Newton& settings,
-                  int step, double t, Observer& observer, const Teuchos::ParameterList& linear);
+                  int step, double t, Observer& observer, Teuchos::ParameterList& newton);
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override;
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
@@ -28,6 +30,7 @@ class EquilibriumTest : public NOX::StatusTest::Generic {
 
  private:
   NewtonIteration describe(const NOX::Solver::Generic& solver);
+  void set_forcing();
 
   const EquilibriumModel& model_;
   const mechanics::Committed& committed_;
@@ -35,7 +38,8 @@ class EquilibriumTest : public NOX::StatusTest::Generic {
   int step_;
   double t_;
   Observer& observer_;
-  const Teuchos::ParameterList& linear_;
+  Teuchos::ParameterList& newton_;
+  double before_ = 0;  ///< residual of the iterate before
   NewtonIteration last_;
   bool finite_ = true;
   int judged_ = -1;
