@@ -128,7 +128,10 @@ void run(int argc, char** argv) {
   settings.cell = options.number("cell", settings.cell);
   settings.cell_nearly_incompressible = options.number("cell", settings.cell_nearly_incompressible);
   settings.bulk_limit = options.number("bulk_limit", settings.bulk_limit);
+  settings.bulk_limit_extreme = options.number("bulk_limit_extreme", settings.bulk_limit_extreme);
   settings.spring = options.number("spring", settings.spring);
+  settings.weight = options.number("weight", settings.weight);
+  settings.smoothing = static_cast<int>(options.number("smoothing", settings.smoothing));
   settings.factorised_up_to =
       static_cast<long long>(options.number("direct", static_cast<double>(settings.factorised_up_to)));
   const double start = now();

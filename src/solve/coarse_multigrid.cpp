@@ -54,7 +54,7 @@ RCP<tpetra::MultiVector> rigid_motions(const RCP<const tpetra::Map>& map, const 
 
 class Multigrid : public CoarseSolver {
  public:
-  Multigrid(const Communicator& ranks, const CoarseGrid& grid, const CoarseMatrix& matrix) {
+  Multigrid(const Communicator& ranks, const CoarseGrid& grid, const CoarseMatrix& matrix, int smoothing) {
     const auto d = static_cast<std::size_t>(matrix.dimension);
     const RCP<const Teuchos::Comm<int>> comm = rcp(new Teuchos::MpiComm<int>(ranks.mpi()));
     // Every node is owned by one of the ranks that hold it. Owners number theirs one after the other, which is what
@@ -119,7 +119,7 @@ class Multigrid : public CoarseSolver {
     list.set("coarse: max size", static_cast<int>(std::min<GlobalId>(500, unknowns / 4)));
     list.set("smoother: type", "CHEBYSHEV");
     auto& smoother = list.sublist("smoother: params");
-    smoother.set("chebyshev: degree", 2);
+    smoother.set("chebyshev: degree", smoothing);
     smoother.set("chebyshev: ratio eigenvalue", 20.0);
     list.sublist("user data").set("Nullspace", rigid_motions(owned_map_, positions, d));
     if (ranks.size() > 1) {
@@ -186,8 +186,8 @@ class Multigrid : public CoarseSolver {
 }  // namespace
 
 std::unique_ptr<CoarseSolver> multigrid_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
-                                                      const CoarseMatrix& matrix) {
-  return std::make_unique<Multigrid>(ranks, grid, matrix);
+                                                      const CoarseMatrix& matrix, int smoothing) {
+  return std::make_unique<Multigrid>(ranks, grid, matrix, smoothing);
 }
 
 }  // namespace perinox::solve

@@ -16,6 +16,8 @@ constexpr double grounding = 1e-10;
 constexpr double least_spring = 0.1;
 /// kappa/mu above which finer cells pay.
 constexpr double nearly_incompressible = 20;
+/// kappa/mu above which A_c does better with more of it, although the V-cycle does worse.
+constexpr double extremely_incompressible = 100;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -79,15 +81,21 @@ std::vector<double> TwoLevel::springs(const std::vector<double>& blocks) const {
 void TwoLevel::set(const std::vector<double>& blocks, double diagonal) {
   block_jacobi_.set(blocks, diagonal);
   if (solver_) return;
-  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, settings_.bulk_limit);
+  double limit = settings_.bulk_limit;
+  for (const auto& material : scene_.materials()) {
+    const materials::ElasticModuli moduli = material->elastic_moduli(scene_.dimension());
+    if (moduli.bulk > extremely_incompressible * moduli.shear) limit = settings_.bulk_limit_extreme;
+  }
+  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, limit);
   add_springs(scene_, grid_, springs(blocks), matrix);
   for (std::size_t n = 0; n < grid_.node_ids().size(); ++n) {
     double* block = matrix.block(static_cast<LocalIndex>(n), static_cast<LocalIndex>(n));
     for (int c = 0; c < matrix.dimension; ++c) block[c * (matrix.dimension + 1)] *= 1 + grounding;
   }
   const Communicator& ranks = scene_.body().communicator;
-  solver_ = coarse_unknowns(ranks, grid_) <= settings_.factorised_up_to ? factorised_coarse_solver(ranks, grid_, matrix)
-                                                                        : multigrid_coarse_solver(ranks, grid_, matrix);
+  solver_ = coarse_unknowns(ranks, grid_) <= settings_.factorised_up_to
+                ? factorised_coarse_solver(ranks, grid_, matrix)
+                : multigrid_coarse_solver(ranks, grid_, matrix, settings_.smoothing);
   graph_ = nullptr;  // may hold a word a bond
 }
 
@@ -97,6 +105,8 @@ void TwoLevel::multiply(const double* x, double* y) const {
   grid_.restrict_to_nodes(x, right_.data());
   const double restricted = now();
   solver_->solve(right_.data(), solution_.data());
+  if (settings_.weight != 1)
+    for (double& value : solution_) value *= settings_.weight;
   const double solved = now();
   grid_.add_interpolated(solution_.data(), y);
   solve_seconds_ = solved - restricted;

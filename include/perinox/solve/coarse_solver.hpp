@@ -25,9 +25,10 @@ class CoarseSolver {
 std::unique_ptr<CoarseSolver> factorised_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
                                                        const CoarseMatrix& matrix);
 
-/// One V-cycle of smoothed aggregation with symmetric smoothers, distributed: for large systems. Collective.
+/// One V-cycle of smoothed aggregation with Chebyshev smoothers of the given degree, distributed: for large systems.
+/// Collective.
 std::unique_ptr<CoarseSolver> multigrid_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
-                                                      const CoarseMatrix& matrix);
+                                                      const CoarseMatrix& matrix, int smoothing);
 
 /// Unknowns of the coarse system over all ranks. Collective.
 long long coarse_unknowns(const Communicator& ranks, const CoarseGrid& grid);

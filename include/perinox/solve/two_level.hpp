@@ -7,7 +7,7 @@
 namespace perinox::solve {
 
 /// The additive two-level preconditioner of the tangent,
-///     z = D^-1 r + P A_c^-1 P^T r,
+///     z = D^-1 r + w P A_c^-1 P^T r,
 /// D: diagonal blocks of the current tangent; P: CoarseGrid; A_c: coarse_elasticity. Peridynamic spectra are flat below
 /// the horizon, where D does, and local above it, where a grid of cells of about a horizon does: iterations do not grow
 /// with the body. Symmetric and positive definite by construction.
@@ -16,8 +16,11 @@ class TwoLevel : public OwnedOperator {
   struct Settings {
     double cell = 1;                           ///< edge of the grid's cells over the horizon; two spacings at least
     double cell_nearly_incompressible = 0.67;  ///< the same, where a material has kappa/mu above 20 (nu about 0.476)
-    double bulk_limit = 8;                     ///< see coarse_elasticity
+    double bulk_limit = 6;                     ///< see coarse_elasticity
+    double bulk_limit_extreme = 20;            ///< the same, where a material has kappa/mu above 100 (nu about 0.495)
     double spring = 1;                         ///< scale of the springs that stand for prescribed unknowns
+    double weight = 1;                         ///< of the coarse term
+    int smoothing = 2;                         ///< degree of the V-cycle's Chebyshev smoother
     long long factorised_up_to = 2500;         ///< coarse unknowns up to which they are factorised
   };
 
