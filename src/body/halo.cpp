@@ -115,9 +115,9 @@ Halo::Halo(const Communicator& communicator, const std::vector<GlobalId>& ids, i
   }
 }
 
+// The clock runs while messages are waited for: an exchange counts once, at its end.
 void Halo::begin_update(const double* values, int components) const {
   if (!plan_) return;
-  const Profile::Scope timed(plan_->communicator.profile(), Section::halo);
   const auto width = static_cast<std::size_t>(components);
   plan_->shared.pack(values, width);
   plan_->begin(plan_->shared, plan_->ghosts, width, tag_update, plan_->updating);
@@ -135,7 +135,6 @@ void Halo::end_update(double* values, int components) const {
 
 void Halo::begin_add(const double* values, int components) const {
   if (!plan_) return;
-  const Profile::Scope timed(plan_->communicator.profile(), Section::halo);
   const auto width = static_cast<std::size_t>(components);
   plan_->ghosts.pack(values, width);
   plan_->begin(plan_->ghosts, plan_->shared, width, tag_add, plan_->adding);

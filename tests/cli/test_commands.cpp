@@ -125,7 +125,7 @@ TEST(Run, StopsShortWithTheReasonAndTheLastGoodStepOnDisk) {
   const Folder folder;
   folder.write("deck.yaml", changed(changed(changed(base_deck, "0.01*t", "t < 0.8 ? 1e-4*t : 3"), "count: 2",
                                             "count: 4, adaptive: false"),
-                                    "tolerance: 1e-8", "max_iterations: 2"));
+                                    "tolerance: 1e-8", "max_iterations: 4"));
   const Outcome outcome = folder.perinox({"run", "deck.yaml", "--output", "r", "--quiet"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_THAT(outcome.error,
