@@ -46,7 +46,8 @@ std::vector<int> partition(const std::vector<Particle>& particles, const std::ve
     for (std::size_t axis = 0; axis < columns.size(); ++axis) columns[axis][i] = particles[i].position[axis];
   }
   std::vector<const double*> column_starts;
-  for (const auto& column : columns) column_starts.push_back(column.data());
+  // A cube is cut across its last axis: what is left keeps whole rows along x, in the order of the particles.
+  for (auto column = columns.rbegin(); column != columns.rend(); ++column) column_starts.push_back(column->data());
   std::vector<double> padded = weights;
   padded.resize(count + 1);
   std::vector<const double*> weight_starts;
