@@ -148,7 +148,6 @@ void Halo::end_add(double* values, int components) const {
   const Side& shared = plan_->shared;
   for (std::size_t k = 0; k < shared.index.size(); ++k)
     for (std::size_t c = 0; c < width; ++c) values[shared.index[k] * width + c] += shared.buffer[k * width + c];
-  std::fill_n(values + owned_ * width, ghosts_ * width, 0.0);
 }
 
 void Halo::update_ghosts(double* values, int components) const {
@@ -159,6 +158,8 @@ void Halo::update_ghosts(double* values, int components) const {
 void Halo::add_to_owners(double* values, int components) const {
   begin_add(values, components);
   end_add(values, components);
+  const auto width = static_cast<std::size_t>(components);
+  std::fill_n(values + static_cast<std::size_t>(owned_) * width, static_cast<std::size_t>(ghosts_) * width, 0.0);
 }
 
 int Halo::neighbors() const { return plan_ ? static_cast<int>(plan_->ghosts.ranks.size()) : 0; }

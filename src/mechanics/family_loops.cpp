@@ -10,4 +10,30 @@ std::unique_ptr<FamilyLoops> FamilyLoops::make(const Scene& scene) {
   return std::make_unique<PairLoops>(scene);
 }
 
+FamilyLoops::FamilyLoops(const Scene& scene)
+    : halo_(scene.body().halo), d_(scene.dimension()), owned_(scene.owned()), local_(scene.local()) {}
+
+void FamilyLoops::product(const double* x, double* y) {
+  const bool alone = local_ == owned_ && halo_.neighbors() == 0;
+  halo_.begin_update(x, d_);
+  put_direction(x, 0, owned_);
+  clear_sums();
+  product_sums(Bonds::inner);
+  if (!alone) {
+    ghosts_.resize(static_cast<std::size_t>(local_) * d_);
+    halo_.end_update(ghosts_.data(), d_);
+    put_direction(ghosts_.data(), owned_, local_);
+  }
+  product_sums(Bonds::outer);
+  product_law();
+  product_forces(Bonds::outer);
+  if (!alone) {
+    take_forces(owned_, local_, ghosts_.data());
+    halo_.begin_add(ghosts_.data(), d_);
+  }
+  product_forces(Bonds::inner);
+  take_forces(0, owned_, y);
+  if (!alone) halo_.end_add(y, d_);
+}
+
 }  // namespace perinox::mechanics

@@ -13,7 +13,7 @@ class GridArrays {
   /// first: number of these arrays among all that a sweep uses.
   void allocate(int count, std::int64_t cells, std::int64_t guard, int first);
   bool empty() const { return start_.empty(); }
-  double* operator[](int k) { return start_[k]; }
+  double* operator[](int k) const { return start_[k]; }
   /// Zeroes an array over the cells, not the room around them.
   void clear(int k);
   std::size_t bytes() const { return memory_.size() * sizeof(double); }

@@ -16,11 +16,8 @@ constexpr int u = 0, x = 3, law = 6, mean = 10, out = 11;
 }  // namespace
 
 LatticeLoops::LatticeLoops(const Scene& scene)
-    : families_(*scene.lattice()),
-      halo_(scene.body().halo),
-      d_(scene.dimension()),
-      owned_(scene.owned()),
-      local_(scene.local()),
+    : FamilyLoops(scene),
+      families_(*scene.lattice()),
       small_(scene.small_strain()),
       plastic_body_(scene.plastic()),
       moved_(!small_ || plastic_body_) {
@@ -89,7 +86,8 @@ void LatticeLoops::put(const double* values, int components, int first, int last
   }
 }
 
-void LatticeLoops::take(GridArrays& arrays, int array, int components, int first, int last, double* values) const {
+void LatticeLoops::take(const GridArrays& arrays, int array, int components, int first, int last,
+                        double* values) const {
   const std::vector<std::int64_t>& cell = families_.grid().cell;
   for (int c = 0; c < components; ++c) {
     const double* from = arrays[array + c];
@@ -193,34 +191,29 @@ std::vector<char> LatticeLoops::flowing_blocks(const double* flow) const {
   return flowing;
 }
 
-void LatticeLoops::product(const double* x, double* y) {
+kernels::LatticeView LatticeLoops::product_view(Bonds bonds) const {
   double* const* plastic = plastic_.empty() ? nullptr : plastic_.data();
-  const bool alone = local_ == owned_ && halo_.neighbors() == 0;
-  halo_.begin_update(x, d_);
-  put(x, d_, 0, owned_, x_, 0);
-  const std::int64_t cells = families_.grid().size();
-  kernels::LatticeView inner = view(plastic, interior);
+  kernels::LatticeView g = view(plastic, bonds == Bonds::inner ? interior : boundary);
   for (int c = 0; c < d_; ++c) {
-    inner.u[c] = moved_ ? u_[c] : nullptr;
-    inner.x[c] = x_[c];
+    g.u[c] = moved_ ? u_[c] : nullptr;
+    g.x[c] = x_[c];
   }
-  for (int k = 0; k < (small_ ? 3 : 4); ++k) inner.law[k] = law_[k];
-  for (int k = 0; k < std::max(d_, 2); ++k) inner.out[k] = out_[k];
-  kernels::LatticeView outer = inner;
-  const kernels::LatticeView rest = view(plastic, boundary);
-  outer.blocks = rest.blocks, outer.block_count = rest.block_count, outer.plastic = rest.plastic;
+  for (int k = 0; k < (small_ ? 3 : 4); ++k) g.law[k] = law_[k];
+  for (int k = 0; k < std::max(d_, 2); ++k) g.out[k] = out_[k];
+  return g;
+}
 
-  const kernels::LatticeSweeps& sweeps = kernels::sweeps().lattice;
+void LatticeLoops::put_direction(const double* x, LocalIndex first, LocalIndex last) { put(x, d_, first, last, x_, 0); }
+
+void LatticeLoops::clear_sums() {
   out_.clear(0);
   out_.clear(1);
-  sweep(sweeps.product_sums, inner);
-  if (!alone) {
-    ghosts_.resize(static_cast<std::size_t>(local_) * d_);
-    halo_.end_update(ghosts_.data(), d_);
-    put(ghosts_.data(), d_, owned_, local_, x_, 0);
-  }
-  sweep(sweeps.product_sums, outer);
+}
 
+void LatticeLoops::product_sums(Bonds bonds) { sweep(kernels::sweeps().lattice.product_sums, product_view(bonds)); }
+
+void LatticeLoops::product_law() {
+  const std::int64_t cells = families_.grid().size();
   double *along = law_[kernels::along], *flow = law_[kernels::flow];
   const double *first = out_[0], *second = out_[1];
   if (flow_.empty()) {
@@ -233,17 +226,12 @@ void LatticeLoops::product(const double* x, double* y) {
     }
   }
   for (int c = 0; c < d_; ++c) out_.clear(c);
-  sweep(sweeps.product_forces, outer);
-  if (!alone) {
-    take(out_, 0, d_, owned_, local_, ghosts_.data());
-    halo_.begin_add(ghosts_.data(), d_);
-  }
-  sweep(sweeps.product_forces, inner);
-  take(out_, 0, d_, 0, owned_, y);
-  if (alone) return;
-  std::copy(y, y + static_cast<std::size_t>(owned_) * d_, ghosts_.begin());
-  halo_.end_add(ghosts_.data(), d_);
-  std::copy(ghosts_.begin(), ghosts_.begin() + static_cast<std::ptrdiff_t>(owned_) * d_, y);
+}
+
+void LatticeLoops::product_forces(Bonds bonds) { sweep(kernels::sweeps().lattice.product_forces, product_view(bonds)); }
+
+void LatticeLoops::take_forces(LocalIndex first, LocalIndex last, double* y) const {
+  take(out_, 0, d_, first, last, y);
 }
 
 void LatticeLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {

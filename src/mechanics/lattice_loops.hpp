@@ -13,24 +13,30 @@ class LatticeLoops : public FamilyLoops {
                    StrainSums& sums) override;
   void forces(const double* radial, const double* shear, const PlasticExtension& plastic, double* force) override;
   void linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) override;
-  void product(const double* x, double* y) override;
   void diagonal_blocks(const TangentLaw& law, double* blocks) override;
   void advance(const double* displacement, const double* mean, const double* flow, PlasticExtension& plastic) override;
   LoopMemory expected() const override;
   std::size_t bytes() const override;
 
+ protected:
+  void put_direction(const double* x, LocalIndex first, LocalIndex last) override;
+  void clear_sums() override;
+  void product_sums(Bonds bonds) override;
+  void product_law() override;
+  void product_forces(Bonds bonds) override;
+  void take_forces(LocalIndex first, LocalIndex last, double* y) const override;
+
  private:
   enum Range { every, interior, boundary };
   kernels::LatticeView view(double* const* plastic, Range range) const;
+  kernels::LatticeView product_view(Bonds bonds) const;
   std::vector<char> flowing_blocks(const double* flow) const;
   void sweep(kernels::LatticeSweeps::Sweep sweep, kernels::LatticeView view) const;
   void put(const double* values, int components, int first, int last, GridArrays& arrays, int array) const;
-  void take(GridArrays& arrays, int array, int components, int first, int last, double* values) const;
+  void take(const GridArrays& arrays, int array, int components, int first, int last, double* values) const;
   void require(GridArrays& arrays, int count, int first);
 
   const bonds::LatticeFamilies& families_;
-  body::Halo halo_;
-  int d_, owned_, local_;
   bool small_;
   bool plastic_body_;  ///< some material flows
   bool moved_;         ///< the tangent depends on the displacement
@@ -41,7 +47,6 @@ class LatticeLoops : public FamilyLoops {
   std::vector<double> dilatation_, flow_;  ///< [grid] coefficients of the tangent's rank-one terms
   std::vector<double*> plastic_;           ///< [blocks] for the products; empty: nothing flows or has flowed
   std::vector<double> none_;               ///< the plastic extension of a block that flows for the first time
-  std::vector<double> ghosts_;             ///< [local * d] of which only ghosts' entries are used
 };
 
 }  // namespace perinox::mechanics

@@ -8,12 +8,9 @@
 namespace perinox::mechanics {
 
 PairLoops::PairLoops(const Scene& scene)
-    : families_(*scene.pairs()),
+    : FamilyLoops(scene),
+      families_(*scene.pairs()),
       slot_(families_.slot()),
-      halo_(scene.body().halo),
-      d_(scene.dimension()),
-      owned_(scene.owned()),
-      local_(scene.local()),
       small_(scene.small_strain()),
       plastic_body_(scene.plastic()) {
   require(reference_);
@@ -153,30 +150,24 @@ std::vector<char> PairLoops::flowing_slots(const Values& values, int component) 
   return flowing;
 }
 
-void PairLoops::product(const double* x, double* y) {
-  const bool alone = local_ == owned_ && halo_.neighbors() == 0;
-  halo_.begin_update(x, d_);
-  put(x, d_, 0, owned_, x_, 0);
-  double* const* plastic = plastic_.empty() ? nullptr : plastic_.data();
-  kernels::PairView inner = view(families_.interior(), plastic);
-  inner.place = reference_.data();
-  inner.u = u_.data();
-  inner.x = x_.data();
-  inner.law = law_.data();
-  inner.out[0] = out_.data();
-  kernels::PairView outer = inner;
-  outer.slots = families_.boundary().data();
-  outer.slot_count = static_cast<std::int64_t>(families_.boundary().size());
+kernels::PairView PairLoops::product_view(Bonds bonds) {
+  kernels::PairView g = view(bonds == Bonds::inner ? families_.interior() : families_.boundary(),
+                             plastic_.empty() ? nullptr : plastic_.data());
+  g.place = reference_.data();
+  g.u = u_.data();
+  g.x = x_.data();
+  g.law = law_.data();
+  g.out[0] = out_.data();
+  return g;
+}
 
-  const kernels::PairSweeps& sweeps = kernels::sweeps().pairs;
-  std::fill(out_.begin(), out_.end(), 0.0);
-  sweep(sweeps.product_sums, inner);
-  if (!alone) {
-    ghosts_.resize(static_cast<std::size_t>(local_) * d_);
-    halo_.end_update(ghosts_.data(), d_);
-    put(ghosts_.data(), d_, owned_, local_, x_, 0);
-  }
-  sweep(sweeps.product_sums, outer);
+void PairLoops::put_direction(const double* x, LocalIndex first, LocalIndex last) { put(x, d_, first, last, x_, 0); }
+
+void PairLoops::clear_sums() { std::fill(out_.begin(), out_.end(), 0.0); }
+
+void PairLoops::product_sums(Bonds bonds) { sweep(kernels::sweeps().pairs.product_sums, product_view(bonds)); }
+
+void PairLoops::product_law() {
   for (int s = 0; s < owned_; ++s) {
     const std::size_t at = 4 * static_cast<std::size_t>(s);
     const double mean = u_[at + 3];
@@ -185,18 +176,11 @@ void PairLoops::product(const double* x, double* y) {
     law_[at + kernels::along] = dilatation_[s] * out_[at] - mean * flow;
   }
   std::fill(out_.begin(), out_.end(), 0.0);
-  sweep(sweeps.product_forces, outer);
-  if (!alone) {
-    take(out_, 0, d_, owned_, local_, ghosts_.data());
-    halo_.begin_add(ghosts_.data(), d_);
-  }
-  sweep(sweeps.product_forces, inner);
-  take(out_, 0, d_, 0, owned_, y);
-  if (alone) return;
-  std::copy(y, y + static_cast<std::size_t>(owned_) * d_, ghosts_.begin());
-  halo_.end_add(ghosts_.data(), d_);
-  std::copy(ghosts_.begin(), ghosts_.begin() + static_cast<std::ptrdiff_t>(owned_) * d_, y);
 }
+
+void PairLoops::product_forces(Bonds bonds) { sweep(kernels::sweeps().pairs.product_forces, product_view(bonds)); }
+
+void PairLoops::take_forces(LocalIndex first, LocalIndex last, double* y) const { take(out_, 0, d_, first, last, y); }
 
 void PairLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
   const int results = d_ * (d_ + 1) / 2 + d_ + (plastic_.empty() ? 0 : d_);

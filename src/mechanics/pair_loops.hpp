@@ -12,11 +12,18 @@ class PairLoops : public FamilyLoops {
                    StrainSums& sums) override;
   void forces(const double* radial, const double* shear, const PlasticExtension& plastic, double* force) override;
   void linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) override;
-  void product(const double* x, double* y) override;
   void diagonal_blocks(const TangentLaw& law, double* blocks) override;
   void advance(const double* displacement, const double* mean, const double* flow, PlasticExtension& plastic) override;
   LoopMemory expected() const override;
   std::size_t bytes() const override;
+
+ protected:
+  void put_direction(const double* x, LocalIndex first, LocalIndex last) override;
+  void clear_sums() override;
+  void product_sums(Bonds bonds) override;
+  void product_law() override;
+  void product_forces(Bonds bonds) override;
+  void take_forces(LocalIndex first, LocalIndex last, double* y) const override;
 
  private:
   using Values = std::vector<double>;  ///< [slots * 4]
@@ -25,13 +32,12 @@ class PairLoops : public FamilyLoops {
   void both(kernels::PairSweeps::Sweep run, kernels::PairView view) const;
   void put(const double* values, int components, int first, int last, Values& to, int component) const;
   void take(const Values& from, int component, int components, int first, int last, double* values) const;
+  kernels::PairView product_view(Bonds bonds);
   std::vector<char> flowing_slots(const Values& values, int component) const;
   void require(Values& values) const;
 
   const bonds::PairFamilies& families_;
   const std::vector<int>& slot_;
-  body::Halo halo_;
-  int d_, owned_, local_;
   bool small_;
   bool plastic_body_;  ///< some material flows
   Values reference_;   ///< position, volume
@@ -39,7 +45,6 @@ class PairLoops : public FamilyLoops {
   Values dilatation_, flow_;      ///< [owned] by slot: coefficients of the tangent's rank-one terms
   std::vector<double*> plastic_;  ///< [owned] for the products; empty: nothing flows or has flowed
   std::vector<double> none_;      ///< the plastic extension of pairs that flow for the first time
-  std::vector<double> ghosts_;    ///< [local * d] of which only ghosts' entries are used
 };
 
 }  // namespace perinox::mechanics

@@ -23,7 +23,8 @@ class Halo {
   void add_to_owners(double* values, int components) const;
 
   /// The same in two parts, so that work that needs no ghost can be done in between. Between them the owned values may
-  /// be read (update) and the ghosts' may not be written (add).
+  /// be read (update) and the ghosts' may not be written (add). end_update writes ghosts' values only, end_add adds to
+  /// owned values only and leaves the ghosts'.
   void begin_update(const double* values, int components) const;
   void end_update(double* values, int components) const;
   void begin_add(const double* values, int components) const;

@@ -35,6 +35,8 @@ class FamilyLoops {
  public:
   static std::unique_ptr<FamilyLoops> make(const Scene& scene);
   virtual ~FamilyLoops() = default;
+  FamilyLoops(const FamilyLoops&) = delete;
+  FamilyLoops& operator=(const FamilyLoops&) = delete;
 
   /// Strains at displacement [local * dimension], ghosts up to date. shift: [owned], subtracted as FamilySums has it.
   /// The displacement is kept for forces().
@@ -49,7 +51,7 @@ class FamilyLoops {
   virtual void linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) = 0;
   /// y = K x. x, y: [owned * dimension]. Collective; the halo's messages travel while bonds without ghosts are worked
   /// on.
-  virtual void product(const double* x, double* y) = 0;
+  void product(const double* x, double* y);
   /// Diagonal blocks, row-major: [local * dimension^2], this rank's families' share.
   virtual void diagonal_blocks(const TangentLaw& law, double* blocks) = 0;
 
@@ -62,6 +64,23 @@ class FamilyLoops {
   virtual LoopMemory expected() const = 0;
   /// Bytes of the arrays held here now.
   virtual std::size_t bytes() const = 0;
+
+ protected:
+  explicit FamilyLoops(const Scene& scene);
+
+  /// The bonds that reach no ghost, or the others.
+  enum class Bonds { inner, outer };
+  /// The steps of a product, in this order; those with a range once for either.
+  virtual void put_direction(const double* x, LocalIndex first, LocalIndex last) = 0;  ///< of particles first to last
+  virtual void clear_sums() = 0;
+  virtual void product_sums(Bonds bonds) = 0;
+  virtual void product_law() = 0;  ///< what the points make of their sums; clears the forces
+  virtual void product_forces(Bonds bonds) = 0;
+  virtual void take_forces(LocalIndex first, LocalIndex last, double* y) const = 0;
+
+  body::Halo halo_;
+  int d_, owned_, local_;
+  std::vector<double> ghosts_;  ///< [local * d] of which only ghosts' entries are used
 };
 
 }  // namespace perinox::mechanics
