@@ -1,7 +1,7 @@
 #include "perinox/solve/coarse_grid.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 #include "perinox/solve/coarse_pieces.hpp"
@@ -69,91 +69,138 @@ void CoarseGrid::shape_values(const CoarseElement& element, const double* x, dou
 }
 
 // Inside a cell a d-linear function is a sum of 2^d monomials, bit a of whose number says whether the coordinate on
-// axis a is a factor. Particle by particle only monomials are used; the step between corner values and monomials is
-// done once a cell, axis by axis.
-
-// Components are padded to four, which fills the lanes of the processor's vectors.
+// axis a is a factor. Particle by particle only monomials are used, one lane of a vector each; the step between corner
+// values and monomials is done once a cell, axis by axis.
 
 namespace {
 
-/// Values of the monomials at x.
 template <int d>
-Eigen::Matrix<double, 1, (1 << d)> monomials(const double* x, const CoarseElement& element, const double* over_size) {
-  Eigen::Matrix<double, 1, (1 << d)> value;
-  value[0] = 1;
+struct Lanes {
+  typedef double Vector __attribute__((vector_size(8 << d), may_alias));
+  typedef std::int64_t Mask __attribute__((vector_size(8 << d)));
+};
+
+template <int d, class Vector = typename Lanes<d>::Vector, class Mask = typename Lanes<d>::Mask>
+inline __attribute__((always_inline)) void monomials(const double* x, const double* corner, const double* over_size,
+                                                     Vector& value) {
+  Mask number{};
+  for (int m = 0; m < 1 << d; ++m) number[m] = m;
+  value = Vector{} + 1;
   for (int a = 0; a < d; ++a) {
-    const double s = (x[a] - element.corner[static_cast<std::size_t>(a)]) * over_size[a];
-    for (int m = 0; m < 1 << a; ++m) value[m + (1 << a)] = s * value[m];
+    const Vector s = (x[a] - corner[a]) * over_size[a] - Vector{};
+    value *= (number >> a & 1) != 0 ? s : Vector{} + 1;
   }
-  return value;
+}
+
+/// What the loops over particles see.
+struct Points {
+  LocalIndex count;
+  const double* place;
+  const LocalIndex* element;
+  const CoarseElement* elements;
+  const char* prescribed;
+  const double* over_size;
+};
+
+/// Particles in the order of memory: neighbours share an element, whose few sums stay near. sums: [elements][d][2^d].
+template <int d>
+inline __attribute__((always_inline)) void sum_monomials(const Points& p, const double* r, double* sums) {
+  using Vector = typename Lanes<d>::Vector;
+  for (LocalIndex i = 0; i < p.count; ++i) {
+    const std::size_t first = static_cast<std::size_t>(i) * d;
+    const auto e = static_cast<std::size_t>(p.element[i]);
+    Vector m;
+    monomials<d>(p.place + first, p.elements[e].corner.data(), p.over_size, m);
+    auto* sum = reinterpret_cast<Vector*>(sums + (e * d << d));
+    for (int c = 0; c < d; ++c) sum[c] += (p.prescribed[first + c] ? 0 : r[first + c]) * m;
+  }
+}
+
+template <int d>
+inline __attribute__((always_inline)) void add_monomials(const Points& p, const double* coefficients, double* z) {
+  using Vector = typename Lanes<d>::Vector;
+  for (LocalIndex i = 0; i < p.count; ++i) {
+    const std::size_t first = static_cast<std::size_t>(i) * d;
+    const auto e = static_cast<std::size_t>(p.element[i]);
+    Vector m;
+    monomials<d>(p.place + first, p.elements[e].corner.data(), p.over_size, m);
+    const auto* coefficient = reinterpret_cast<const Vector*>(coefficients + (e * d << d));
+    for (int c = 0; c < d; ++c) {
+      const Vector terms = coefficient[c] * m;
+      double sum = 0;
+      for (int k = 0; k < 1 << d; ++k) sum += terms[k];
+      z[first + c] += p.prescribed[first + c] ? 0 : sum;
+    }
+  }
+}
+
+#if defined(__x86_64__)
+#define PERINOX_FOR_EACH_MACHINE __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define PERINOX_FOR_EACH_MACHINE
+#endif
+PERINOX_FOR_EACH_MACHINE void sum_3(const Points& p, const double* r, double* sums) { sum_monomials<3>(p, r, sums); }
+PERINOX_FOR_EACH_MACHINE void sum_2(const Points& p, const double* r, double* sums) { sum_monomials<2>(p, r, sums); }
+PERINOX_FOR_EACH_MACHINE void add_3(const Points& p, const double* coefficients, double* z) {
+  add_monomials<3>(p, coefficients, z);
+}
+PERINOX_FOR_EACH_MACHINE void add_2(const Points& p, const double* coefficients, double* z) {
+  add_monomials<2>(p, coefficients, z);
 }
 
 }  // namespace
 
-template <int d>
-void CoarseGrid::restrict_points(const double* r, double* coarse) const {
-  constexpr int corners = 1 << d;
-  using Sum = Eigen::Map<Eigen::Matrix<double, 4, corners>>;
-  double over_size[d];
-  for (int a = 0; a < d; ++a) over_size[a] = 1 / cells_.size()[static_cast<std::size_t>(a)];
-  monomials_.assign(elements_.size() * corners * 4, 0.0);
-  Eigen::Vector4d value = Eigen::Vector4d::Zero();
-  // Particles in the order of memory: neighbours share an element, whose few sums stay near.
-  for (LocalIndex i = 0; i < scene_.owned(); ++i) {
-    const std::size_t first = static_cast<std::size_t>(i) * d;
-    const auto e = static_cast<std::size_t>(element_[i]);
-    for (int c = 0; c < d; ++c) value[c] = prescribed_[first + c] ? 0 : r[first + c];
-    Sum(&monomials_[e * corners * 4]).noalias() +=
-        value * monomials<d>(scene_.body().position(i), elements_[e], over_size);
-  }
-  for (std::size_t e = 0; e < elements_.size(); ++e) {
-    Sum sum(&monomials_[e * corners * 4]);
-    for (int a = 0; a < d; ++a)
-      for (int m = 0; m < corners; ++m)
-        if ((m >> a & 1) == 0) sum.col(m) -= sum.col(m + (1 << a));
-    for (int m = 0; m < corners; ++m)
-      for (int c = 0; c < d; ++c) coarse[static_cast<std::size_t>(elements_[e].node[m]) * d + c] += sum(c, m);
-  }
-}
-
-template <int d>
-void CoarseGrid::interpolate_points(const double* coarse, double* z) const {
-  constexpr int corners = 1 << d;
-  using Coefficient = Eigen::Map<Eigen::Matrix<double, 4, corners>>;
-  double over_size[d];
-  for (int a = 0; a < d; ++a) over_size[a] = 1 / cells_.size()[static_cast<std::size_t>(a)];
-  monomials_.assign(elements_.size() * corners * 4, 0.0);
-  for (std::size_t e = 0; e < elements_.size(); ++e) {
-    Coefficient coefficient(&monomials_[e * corners * 4]);
-    for (int m = 0; m < corners; ++m)
-      for (int c = 0; c < d; ++c) coefficient(c, m) = coarse[static_cast<std::size_t>(elements_[e].node[m]) * d + c];
-    for (int a = 0; a < d; ++a)
-      for (int m = 0; m < corners; ++m)
-        if ((m >> a & 1) == 0) coefficient.col(m + (1 << a)) -= coefficient.col(m);
-  }
-  for (LocalIndex i = 0; i < scene_.owned(); ++i) {
-    const std::size_t first = static_cast<std::size_t>(i) * d;
-    const auto e = static_cast<std::size_t>(element_[i]);
-    Eigen::Vector4d value;
-    value.noalias() = Coefficient(&monomials_[e * corners * 4]) *
-                      monomials<d>(scene_.body().position(i), elements_[e], over_size).transpose();
-    for (int c = 0; c < d; ++c) z[first + c] += prescribed_[first + c] ? 0 : value[c];
-  }
-}
-
 void CoarseGrid::restrict_to_nodes(const double* r, double* coarse) const {
   std::fill_n(coarse, unknowns(), 0.0);
-  if (dimension() == 3)
-    restrict_points<3>(r, coarse);
-  else
-    restrict_points<2>(r, coarse);
+  const int d = dimension(), corners = cells_.corners();
+  const std::array<double, 3> over_size = over_cell_size();
+  const Points points{scene_.owned(),     scene_.body().reference.data(),
+                      element_.data(),    elements_.data(),
+                      prescribed_.data(), over_size.data()};
+  clear_monomials();
+  (d == 3 ? sum_3 : sum_2)(points, r, monomials());
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    for (int c = 0; c < d; ++c) {
+      double* sum = monomials() + (e * d + c) * corners;
+      for (int a = 0; a < d; ++a)
+        for (int m = 0; m < corners; ++m)
+          if ((m >> a & 1) == 0) sum[m] -= sum[m + (1 << a)];
+      for (int m = 0; m < corners; ++m) coarse[static_cast<std::size_t>(elements_[e].node[m]) * d + c] += sum[m];
+    }
 }
 
 void CoarseGrid::add_interpolated(const double* coarse, double* z) const {
-  if (dimension() == 3)
-    interpolate_points<3>(coarse, z);
-  else
-    interpolate_points<2>(coarse, z);
+  const int d = dimension(), corners = cells_.corners();
+  const std::array<double, 3> over_size = over_cell_size();
+  const Points points{scene_.owned(),     scene_.body().reference.data(),
+                      element_.data(),    elements_.data(),
+                      prescribed_.data(), over_size.data()};
+  clear_monomials();
+  for (std::size_t e = 0; e < elements_.size(); ++e)
+    for (int c = 0; c < d; ++c) {
+      double* coefficient = monomials() + (e * d + c) * corners;
+      for (int m = 0; m < corners; ++m) coefficient[m] = coarse[static_cast<std::size_t>(elements_[e].node[m]) * d + c];
+      for (int a = 0; a < d; ++a)
+        for (int m = 0; m < corners; ++m)
+          if ((m >> a & 1) == 0) coefficient[m + (1 << a)] -= coefficient[m];
+    }
+  (d == 3 ? add_3 : add_2)(points, monomials(), z);
+}
+
+std::array<double, 3> CoarseGrid::over_cell_size() const {
+  std::array<double, 3> over{};
+  for (int a = 0; a < dimension(); ++a) over[a] = 1 / cells_.size()[a];
+  return over;
+}
+
+void CoarseGrid::clear_monomials() const {
+  // Whole vectors of eight: aligned to them, and one more to find the first such place.
+  monomials_.assign(elements_.size() * static_cast<std::size_t>(dimension() * cells_.corners()) + 8, 0.0);
+}
+
+double* CoarseGrid::monomials() const {
+  const auto at = reinterpret_cast<std::uintptr_t>(monomials_.data());
+  return monomials_.data() + (64 - at % 64) % 64 / sizeof(double);
 }
 
 std::size_t CoarseGrid::bytes() const {

@@ -45,10 +45,9 @@ class CoarseGrid {
   std::size_t bytes() const;
 
  private:
-  template <int d>
-  void restrict_points(const double* r, double* coarse) const;
-  template <int d>
-  void interpolate_points(const double* coarse, double* z) const;
+  std::array<double, 3> over_cell_size() const;
+  void clear_monomials() const;
+  double* monomials() const;  ///< [elements][dimension][corners] of the function at hand
 
   const mechanics::Scene& scene_;
   const std::vector<char>& prescribed_;
@@ -56,7 +55,7 @@ class CoarseGrid {
   std::vector<CoarseElement> elements_;
   std::vector<LocalIndex> order_;          ///< [owned] particles by element
   std::vector<LocalIndex> element_;        ///< [owned] element of each particle
-  mutable std::vector<double> monomials_;  ///< [elements * corners * 4] of the function at hand
+  mutable std::vector<double> monomials_;  ///< the room for them
   std::vector<GlobalId> node_ids_;
   std::vector<double> node_positions_;
 };
