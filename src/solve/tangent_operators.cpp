@@ -173,7 +173,7 @@ void TangentSystem::update_preconditioner() {
   const Profile::Scope timed(scene_.body().communicator.profile(), Section::preconditioner);
   if (direct_) direct_->factorise();
   if (block_jacobi_) block_jacobi_->set(blocks_, stiffness_scale_);
-  if (two_level_) two_level_->set(blocks_, stiffness_scale_);
+  if (two_level_) two_level_->set(blocks_, stiffness_scale_, tangent_->shear_left());
   if (!sparse_) return;
   if (!sparse_->initialised) sparse_->preconditioner->initialize();
   sparse_->initialised = true;

@@ -56,6 +56,19 @@ TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& 
       right_(grid_.unknowns()),
       solution_(grid_.unknowns()) {}
 
+/// Collective, as every rank has to make A_c anew or none.
+bool TwoLevel::softened(const std::vector<double>& shear_left) const {
+  const body::Body& body = scene_.body();
+  std::vector<double> sums{0, 0};
+  for (LocalIndex i = 0; i < body.owned; ++i) {
+    const double left = shear_left.empty() ? 1 : shear_left[i], built = shear_left_.empty() ? 1 : shear_left_[i];
+    sums[0] += body.volume[i] * std::abs(left - built);
+    sums[1] += body.volume[i];
+  }
+  body.communicator.sum(sums);
+  return sums[0] > settings_.softening * sums[1];
+}
+
 std::vector<double> TwoLevel::springs(const std::vector<double>& blocks) const {
   // A function that is constant c but zero on prescribed unknowns has the energy c^2/2 times the stiffness of all bonds
   // between prescribed and free particles: what a smooth field on the grid does not know of. It goes to the prescribed
@@ -78,15 +91,17 @@ std::vector<double> TwoLevel::springs(const std::vector<double>& blocks) const {
   return stiffness;
 }
 
-void TwoLevel::set(const std::vector<double>& blocks, double diagonal) {
+void TwoLevel::set(const std::vector<double>& blocks, double diagonal, const std::vector<double>& shear_left) {
   block_jacobi_.set(blocks, diagonal);
-  if (solver_) return;
+  if (solver_ && !softened(shear_left)) return;
+  shear_left_ = shear_left;
+  if (!graph_) graph_ = scene_.bond_graph();
   double limit = settings_.bulk_limit;
   for (const auto& material : scene_.materials()) {
     const materials::ElasticModuli moduli = material->elastic_moduli(scene_.dimension());
     if (moduli.bulk > extremely_incompressible * moduli.shear) limit = settings_.bulk_limit_extreme;
   }
-  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, limit);
+  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, limit, shear_left);
   add_springs(scene_, grid_, springs(blocks), matrix);
   for (std::size_t n = 0; n < grid_.node_ids().size(); ++n) {
     double* block = matrix.block(static_cast<LocalIndex>(n), static_cast<LocalIndex>(n));

@@ -14,11 +14,13 @@ class MatrixFreeTangent : public Tangent {
   void linearise(const Committed& committed, const double* displacement, deck::TangentForm form) override;
   void apply(const double* x, double* y) const override;
   void diagonal_blocks(double* blocks) const override;
+  const std::vector<double>& shear_left() const override { return shear_left_; }
   std::size_t bytes() const override;
 
  private:
   std::unique_ptr<FamilyLoops> loops_;
   TangentLaw law_;
+  std::vector<double> shear_left_;
   std::shared_ptr<const PlasticExtension> plastic_;
 };
 
