@@ -62,10 +62,16 @@ void MatrixFreeTangent::apply(const double* x, double* y) const {
   loops_->product(x, y);
 }
 
-void MatrixFreeTangent::diagonal_blocks(double* blocks) const {
+void MatrixFreeTangent::diagonal_blocks(double* blocks, double dilatation) const {
   const int size = scene_.dimension() * scene_.dimension();
   std::vector<double> all(static_cast<std::size_t>(scene_.local()) * size);
-  loops_->diagonal_blocks(law_, all.data());
+  if (dilatation == 1) {
+    loops_->diagonal_blocks(law_, all.data());
+  } else {
+    TangentLaw law = law_;
+    for (double& coefficient : law.dilatation) coefficient *= dilatation;
+    loops_->diagonal_blocks(law, all.data());
+  }
   scene_.body().halo.add_to_owners(all.data(), size);
   std::copy(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(scene_.owned()) * size, blocks);
 }

@@ -127,6 +127,7 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
     preconditioner_ = block_jacobi_;
   } else if (kind == deck::Preconditioner::two_level) {
     two_level_ = Teuchos::rcp(new TwoLevel(map_, scene, prescribed_, scene.bond_graph(), {}));
+    dilatation_share_ = TwoLevel::dilatation_share(scene);
     preconditioner_ = two_level_;
   } else if (kind != deck::Preconditioner::none) {
     if (!assembled_)
@@ -164,6 +165,7 @@ void TangentSystem::update(const mechanics::Committed& committed, const double* 
   scene_.body().communicator.sum(sums);
   stiffness_scale_ = sums[1] > 0 && sums[0] > 0 ? std::sqrt(sums[0] / sums[1]) : 1;
   masked_->diagonal = stiffness_scale_;
+  if (dilatation_share_ != 1) tangent_->diagonal_blocks(blocks_.data(), dilatation_share_);
   if (!assembled_) return;
   const Profile::Scope filling(profile, Section::assembly);
   assembled_->fill(*stored_, stiffness_scale_);

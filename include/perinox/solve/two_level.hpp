@@ -17,7 +17,6 @@ class TwoLevel : public OwnedOperator {
     double cell = 1;                           ///< edge of the grid's cells over the horizon; two spacings at least
     double cell_nearly_incompressible = 0.67;  ///< the same, where a material has kappa/mu above 20 (nu about 0.476)
     double bulk_limit = 6;                     ///< see coarse_elasticity
-    double bulk_limit_extreme = 20;            ///< the same, where a material has kappa/mu above 100 (nu about 0.495)
     double spring = 1;                         ///< scale of the springs that stand for prescribed unknowns
     double softening = 0.1;                    ///< mean change of shear_left at which A_c is made anew
     double weight = 1;                         ///< of the coarse term
@@ -27,6 +26,9 @@ class TwoLevel : public OwnedOperator {
 
   /// False for a body of two cells at most on every axis: D alone does as well there. Collective.
   static bool worth_its_cost(const mechanics::Scene& scene);
+
+  /// What of the tangent's stiffness against dilatation belongs in the diagonal blocks given to set().
+  static double dilatation_share(const mechanics::Scene& scene);
 
   /// prescribed: [local * dimension], ghosts up to date; kept by reference, as is the scene. Collective.
   TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene, const std::vector<char>& prescribed,
