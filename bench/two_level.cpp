@@ -1,7 +1,8 @@
 /// Counts and costs of the two-level preconditioner: conjugate gradients to 1e-8 at the undeformed tangent.
 ///     build/bench_two_level <scene> <n> [key=value ...]
 /// scenes: cube, perforated, jittered, crack, contrast, plate-strain, plate-stress, points. keys: nu, cell (edge over
-/// horizon), level (1: block Jacobi only), bulk_limit, spring, ratio (horizon over spacing).
+/// horizon), level (1: block Jacobi only), bulk_limit, spring, ratio (horizon over spacing),
+/// dilatation (share of it in D).
 #include "perinox/solve/two_level.hpp"
 
 #include <fmt/format.h>
@@ -122,13 +123,12 @@ void run(int argc, char** argv) {
   const std::size_t unknowns = scene.owned_unknowns();
   tangent.linearise(committed, committed.displacement().data(), deck::TangentForm::consistent);
   Vector blocks(unknowns * static_cast<std::size_t>(scene.dimension()));
-  tangent.diagonal_blocks(blocks.data());
+  tangent.diagonal_blocks(blocks.data(), options.number("dilatation", solve::TwoLevel::dilatation_share(scene)));
 
   solve::TwoLevel::Settings settings;
   settings.cell = options.number("cell", settings.cell);
   settings.cell_nearly_incompressible = options.number("cell", settings.cell_nearly_incompressible);
   settings.bulk_limit = options.number("bulk_limit", settings.bulk_limit);
-  settings.bulk_limit_extreme = options.number("bulk_limit_extreme", settings.bulk_limit_extreme);
   settings.spring = options.number("spring", settings.spring);
   settings.weight = options.number("weight", settings.weight);
   settings.smoothing = static_cast<int>(options.number("smoothing", settings.smoothing));

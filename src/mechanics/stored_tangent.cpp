@@ -146,20 +146,20 @@ void StoredTangent::apply_points(double* y) const {
   }
 }
 
-void StoredTangent::diagonal_blocks(double* blocks) const {
+void StoredTangent::diagonal_blocks(double* blocks, double dilatation) const {
   const int d = scene_.dimension();
   const auto values = static_cast<std::size_t>(d * d);
   std::vector<double> all(static_cast<std::size_t>(scene_.local()) * values, 0.0);
   if (d == 3)
-    block_points<3>(all.data());
+    block_points<3>(all.data(), dilatation);
   else
-    block_points<2>(all.data());
+    block_points<2>(all.data(), dilatation);
   scene_.body().halo.add_to_owners(all.data(), d * d);
   std::copy(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(scene_.owned() * values), blocks);
 }
 
 template <int d>
-void StoredTangent::block_points(double* blocks) const {
+void StoredTangent::block_points(double* blocks, double dilatation) const {
   const bonds::Bonds& bonds = scene_.bonds();
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
     const auto first = static_cast<std::size_t>(bonds.offset[i]);
@@ -169,6 +169,7 @@ void StoredTangent::block_points(double* blocks) const {
     const int terms = rank(i);
     double p_sum[materials::ModulusState::max_rank][d] = {};
     double q_sum[materials::ModulusState::max_rank][d] = {};
+    const auto coefficient = [&](int r) { return term(i, r).coefficient * (term(i, r).p ? 1 : dilatation); };
     for (int j = 0; j < count; ++j) {
       const std::size_t b = first + j;
       const double* m = &direction_[b * d];
@@ -178,7 +179,7 @@ void StoredTangent::block_points(double* blocks) const {
         const Term& one = term(i, r);
         const double p = entry(one.p, bonds, bonds.offset[i], j) * w;
         const double q = entry(one.q, bonds, bonds.offset[i], j) * w;
-        low_rank += one.coefficient * p * q;
+        low_rank += coefficient(r) * p * q;
         for (int c = 0; c < d; ++c) {
           p_sum[r][c] += p * m[c];
           q_sum[r][c] += q * m[c];
@@ -195,7 +196,7 @@ void StoredTangent::block_points(double* blocks) const {
     }
     for (int r = 0; r < terms; ++r)
       for (int c = 0; c < d; ++c)
-        for (int e = 0; e < d; ++e) own[c * d + e] += volume * term(i, r).coefficient * p_sum[r][c] * q_sum[r][e];
+        for (int e = 0; e < d; ++e) own[c * d + e] += volume * coefficient(r) * p_sum[r][c] * q_sum[r][e];
   }
 }
 

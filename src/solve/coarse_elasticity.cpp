@@ -112,22 +112,23 @@ double* CoarseMatrix::block(LocalIndex row, LocalIndex column_node) {
 }
 
 CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, const bonds::BondGraph& graph,
-                               double bulk_limit) {
+                               double bulk_limit, const std::vector<double>& shear_left) {
   const UnitStiffness unit = unit_stiffness(grid.cells());
   const int d = grid.dimension(), corners = grid.cells().corners();
   const auto n = static_cast<std::size_t>(unit.unknowns);
   const Moduli moduli(scene, graph);
   CoarseMatrix matrix = pattern(grid);
   for (const CoarseElement& element : grid.elements()) {
-    double bulk = 0, shear = 0;
+    double bulk = 0, elastic_shear = 0, shear = 0;
     for (LocalIndex k = element.begin; k < element.end; ++k) {
       const LocalIndex i = grid.particle(k);
       const double share = scene.body().volume[i] / grid.cells().volume();
       const materials::ElasticModuli own = moduli.of(i);
       bulk += share * own.bulk;
-      shear += share * own.shear;
+      elastic_shear += share * own.shear;
+      shear += share * own.shear * (shear_left.empty() ? 1 : shear_left[i]);
     }
-    bulk = std::min(bulk, bulk_limit * shear);
+    bulk = std::min(bulk, bulk_limit * elastic_shear);
     for (int a = 0; a < corners; ++a)
       for (int b = 0; b < corners; ++b) {
         double* block = matrix.block(element.node[a], element.node[b]);

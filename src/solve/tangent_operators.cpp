@@ -127,6 +127,7 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
     preconditioner_ = block_jacobi_;
   } else if (kind == deck::Preconditioner::two_level) {
     two_level_ = Teuchos::rcp(new TwoLevel(map_, scene, prescribed_, scene.bond_graph(), {}));
+    dilatation_share_ = TwoLevel::dilatation_share(scene);
     preconditioner_ = two_level_;
   } else if (kind != deck::Preconditioner::none) {
     if (!assembled_)
@@ -164,6 +165,7 @@ void TangentSystem::update(const mechanics::Committed& committed, const double* 
   scene_.body().communicator.sum(sums);
   stiffness_scale_ = sums[1] > 0 && sums[0] > 0 ? std::sqrt(sums[0] / sums[1]) : 1;
   masked_->diagonal = stiffness_scale_;
+  if (dilatation_share_ != 1) tangent_->diagonal_blocks(blocks_.data(), dilatation_share_);
   if (!assembled_) return;
   const Profile::Scope filling(profile, Section::assembly);
   assembled_->fill(*stored_, stiffness_scale_);
@@ -173,7 +175,7 @@ void TangentSystem::update_preconditioner() {
   const Profile::Scope timed(scene_.body().communicator.profile(), Section::preconditioner);
   if (direct_) direct_->factorise();
   if (block_jacobi_) block_jacobi_->set(blocks_, stiffness_scale_);
-  if (two_level_) two_level_->set(blocks_, stiffness_scale_);
+  if (two_level_) two_level_->set(blocks_, stiffness_scale_, tangent_->shear_left());
   if (!sparse_) return;
   if (!sparse_->initialised) sparse_->preconditioner->initialize();
   sparse_->initialised = true;

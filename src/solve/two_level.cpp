@@ -16,19 +16,27 @@ constexpr double grounding = 1e-10;
 constexpr double least_spring = 0.1;
 /// kappa/mu above which finer cells pay.
 constexpr double nearly_incompressible = 20;
-/// kappa/mu above which A_c does better with more of it, although the V-cycle does worse.
+/// kappa/mu above which D has less of the dilatation: most fields that D has to deal with change no volume, and with
+/// all of it D is several times too stiff for them.
 constexpr double extremely_incompressible = 100;
+constexpr double extremely_incompressible_share = 0.15;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+double largest_ratio(const mechanics::Scene& scene) {
+  double ratio = 0;
+  for (const auto& material : scene.materials()) {
+    const materials::ElasticModuli moduli = material->elastic_moduli(scene.dimension());
+    ratio = std::max(ratio, moduli.bulk / moduli.shear);
+  }
+  return ratio;
+}
 
 /// Below two spacings a cell would have about as many unknowns as its particles.
 double cell_edge(const mechanics::Scene& scene, const TwoLevel::Settings& settings) {
   double over_horizon = settings.cell;
-  for (const auto& material : scene.materials()) {
-    const materials::ElasticModuli moduli = material->elastic_moduli(scene.dimension());
-    if (moduli.bulk > nearly_incompressible * moduli.shear)
-      over_horizon = std::min(over_horizon, settings.cell_nearly_incompressible);
-  }
+  if (largest_ratio(scene) > nearly_incompressible)
+    over_horizon = std::min(over_horizon, settings.cell_nearly_incompressible);
   const body::Body& body = scene.body();
   double volume = 0;
   for (LocalIndex i = 0; i < body.owned; ++i) volume += body.volume[i];
@@ -44,6 +52,10 @@ bool TwoLevel::worth_its_cost(const mechanics::Scene& scene) {
   return *std::max_element(cells.counts().begin(), cells.counts().end()) > 2;
 }
 
+double TwoLevel::dilatation_share(const mechanics::Scene& scene) {
+  return largest_ratio(scene) > extremely_incompressible ? extremely_incompressible_share : 1;
+}
+
 TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene,
                    const std::vector<char>& prescribed, const bonds::BondGraph& graph, const Settings& settings)
     : OwnedOperator(map),
@@ -55,6 +67,19 @@ TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& 
       grid_(scene, prescribed, graph, cell_edge(scene, settings)),
       right_(grid_.unknowns()),
       solution_(grid_.unknowns()) {}
+
+/// Collective, as every rank has to make A_c anew or none.
+bool TwoLevel::softened(const std::vector<double>& shear_left) const {
+  const body::Body& body = scene_.body();
+  std::vector<double> sums{0, 0};
+  for (LocalIndex i = 0; i < body.owned; ++i) {
+    const double left = shear_left.empty() ? 1 : shear_left[i], built = shear_left_.empty() ? 1 : shear_left_[i];
+    sums[0] += body.volume[i] * std::abs(left - built);
+    sums[1] += body.volume[i];
+  }
+  body.communicator.sum(sums);
+  return sums[0] > settings_.softening * sums[1];
+}
 
 std::vector<double> TwoLevel::springs(const std::vector<double>& blocks) const {
   // A function that is constant c but zero on prescribed unknowns has the energy c^2/2 times the stiffness of all bonds
@@ -78,15 +103,12 @@ std::vector<double> TwoLevel::springs(const std::vector<double>& blocks) const {
   return stiffness;
 }
 
-void TwoLevel::set(const std::vector<double>& blocks, double diagonal) {
+void TwoLevel::set(const std::vector<double>& blocks, double diagonal, const std::vector<double>& shear_left) {
   block_jacobi_.set(blocks, diagonal);
-  if (solver_) return;
-  double limit = settings_.bulk_limit;
-  for (const auto& material : scene_.materials()) {
-    const materials::ElasticModuli moduli = material->elastic_moduli(scene_.dimension());
-    if (moduli.bulk > extremely_incompressible * moduli.shear) limit = settings_.bulk_limit_extreme;
-  }
-  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, limit);
+  if (solver_ && !softened(shear_left)) return;
+  shear_left_ = shear_left;
+  if (!graph_) graph_ = scene_.bond_graph();
+  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, settings_.bulk_limit, shear_left);
   add_springs(scene_, grid_, springs(blocks), matrix);
   for (std::size_t n = 0; n < grid_.node_ids().size(); ++n) {
     double* block = matrix.block(static_cast<LocalIndex>(n), static_cast<LocalIndex>(n));

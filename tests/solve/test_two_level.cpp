@@ -1,6 +1,7 @@
 /// The two-level preconditioner: symmetric, positive definite, and as good on hard scenes as it is meant to be.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <random>
 
@@ -108,10 +109,12 @@ TEST(TwoLevel, TwoMaterials) {
 }
 
 TEST(TwoLevel, NearlyIncompressible) {
-  EXPECT_LE(counted("nu 0.45, 16", LinearProblem(held_cube(16, 0.45))), 30);  // 23
-  EXPECT_LE(counted("nu 0.49, 16", LinearProblem(held_cube(16, 0.49))), 40);  // 36
-  EXPECT_LE(counted("nu 0.49, 24", LinearProblem(held_cube(24, 0.49))), 40);  // 40
-  EXPECT_LE(counted("nu 0.49, 32", LinearProblem(held_cube(32, 0.49))), 40);  // 40
+  EXPECT_LE(counted("nu 0.45, 16", LinearProblem(held_cube(16, 0.45))), 30);     // 23
+  EXPECT_LE(counted("nu 0.49, 16", LinearProblem(held_cube(16, 0.49))), 40);     // 36
+  EXPECT_LE(counted("nu 0.49, 24", LinearProblem(held_cube(24, 0.49))), 40);     // 40
+  EXPECT_LE(counted("nu 0.49, 32", LinearProblem(held_cube(32, 0.49))), 40);     // 40
+  EXPECT_LE(counted("nu 0.499, 16", LinearProblem(held_cube(16, 0.499))), 95);   // 90
+  EXPECT_LE(counted("nu 0.499, 24", LinearProblem(held_cube(24, 0.499))), 108);  // 104
 }
 
 TEST(TwoLevel, HeldAtFourPoints) {
@@ -153,7 +156,21 @@ TEST(TwoLevel, PlasticPath) {
     iterations += step.linear_iterations;
   }
   std::printf("plastic path: %.1f iterations a solve, %d solves\n", static_cast<double>(iterations) / solves, solves);
-  EXPECT_LE(iterations, 35 * solves);  // 20.5 a solve
+  EXPECT_LE(iterations, 35 * solves);  // 20.8 a solve
+}
+
+TEST(TwoLevel, CoarseMatrixFollowsPlasticFlow) {
+  // Held three layers deep and pulled to 1 %: every solve to 1e-8. A coarse matrix that stays elastic takes 39.
+  std::string yaml = pulled_cube(32, 0.32, 10);
+  yaml.replace(yaml.find("z < 2"), 5, "z < 3");
+  yaml.replace(yaml.find("z > 30"), 6, "z > 29");
+  const RunResult run = run_deck(
+      deck_of(yaml, {"solver.newton.forcing=constant", "solver.linear.tolerance=1e-8", "steps.adaptive=false"}));
+  ASSERT_EQ(run.stopped, "");
+  int most = 0;
+  for (const solve::NewtonIteration& row : run.records.iterations) most = std::max(most, row.linear_iterations);
+  std::printf("plastic path, 32: %d iterations at most\n", most);
+  EXPECT_LE(most, 35);  // 33
 }
 
 }  // namespace

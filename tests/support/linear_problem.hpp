@@ -25,7 +25,7 @@ struct LinearProblem {
         blocks(unknowns * static_cast<std::size_t>(scene.dimension())),
         right(unknowns) {
     tangent.linearise(committed, committed.displacement().data(), deck::TangentForm::consistent);
-    tangent.diagonal_blocks(blocks.data());
+    tangent.diagonal_blocks(blocks.data(), solve::TwoLevel::dilatation_share(scene));
     Vector jump(unknowns, 0.0), stiff(unknowns);
     boundary.impose(1, jump.data());
     boundary.external_force(1, right.data());

@@ -13,12 +13,14 @@ class MatrixFreeTangent : public Tangent {
   /// Throws std::logic_error for the printed form, whose third term is none of a point.
   void linearise(const Committed& committed, const double* displacement, deck::TangentForm form) override;
   void apply(const double* x, double* y) const override;
-  void diagonal_blocks(double* blocks) const override;
+  void diagonal_blocks(double* blocks, double dilatation = 1) const override;
+  const std::vector<double>& shear_left() const override { return shear_left_; }
   std::size_t bytes() const override;
 
  private:
   std::unique_ptr<FamilyLoops> loops_;
   TangentLaw law_;
+  std::vector<double> shear_left_;
   std::shared_ptr<const PlasticExtension> plastic_;
 };
 

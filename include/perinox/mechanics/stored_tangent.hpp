@@ -16,7 +16,7 @@ class StoredTangent : public Tangent {
 
   void linearise(const Committed& committed, const double* displacement, deck::TangentForm form) override;
   void apply(const double* x, double* y) const override;
-  void diagonal_blocks(double* blocks) const override;
+  void diagonal_blocks(double* blocks, double dilatation = 1) const override;
   std::size_t bytes() const override;
 
   // Linearisation data, read by the sparse assembly.
@@ -44,7 +44,7 @@ class StoredTangent : public Tangent {
   template <int d>
   void apply_points(double* y) const;
   template <int d>
-  void block_points(double* blocks) const;
+  void block_points(double* blocks, double dilatation) const;
   double* keep(const double* values, int count);
 
   std::vector<double> direction_;         ///< [bonds * d] M

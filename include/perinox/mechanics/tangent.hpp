@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "perinox/mechanics/state.hpp"
 
@@ -16,8 +17,12 @@ class Tangent {
   virtual void linearise(const Committed& committed, const double* displacement, deck::TangentForm form) = 0;
   /// y = K x for owned unknowns; x, y: [owned * dimension]. Collective.
   virtual void apply(const double* x, double* y) const = 0;
-  /// The dimension x dimension diagonal block of every owned particle, row-major: [owned * dimension^2]. Collective.
-  virtual void diagonal_blocks(double* blocks) const = 0;
+  /// The dimension x dimension diagonal block of every owned particle, row-major: [owned * dimension^2]. The stiffness
+  /// against dilatation counts `dilatation` times. Collective.
+  virtual void diagonal_blocks(double* blocks, double dilatation = 1) const = 0;
+  /// What the linearisation has left of every particle's elastic shear modulus, a mean over directions: 1 where nothing
+  /// yields. [owned], or empty where no particle has less than 1 or nothing is known.
+  virtual const std::vector<double>& shear_left() const;
   /// Bytes held by the linearisation on this rank.
   virtual std::size_t bytes() const = 0;
 

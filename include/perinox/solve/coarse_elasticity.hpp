@@ -23,8 +23,9 @@ struct CoarseMatrix {
 /// filled share of the cell. Where materials meet, a particle counts with the mean over its family: the bonds of stiff
 /// particles stiffen a layer of soft ones as thick as the horizon. kappa counts up to bulk_limit mu: beyond it
 /// smoothed aggregation loses its quality, and the fine level's nonlocal dilatation is not that stiff anyway.
+/// shear_left: factor of every particle's mu, [owned]; empty: 1.
 CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, const bonds::BondGraph& graph,
-                               double bulk_limit);
+                               double bulk_limit, const std::vector<double>& shear_left);
 
 /// Adds springs to the ground at particles: c -> sum_u stiffness_u (P c)_u^2, P without its zeros on prescribed
 /// unknowns. stiffness: [owned * dimension], zero where there is none.

@@ -57,6 +57,7 @@ class TangentSystem {
   Teuchos::RCP<DirectSolve> direct_;
   Teuchos::RCP<tpetra::Operator> operator_, preconditioner_;
   std::vector<double> blocks_;
+  double dilatation_share_ = 1;  ///< of the dilatation in blocks_, which only the two-level preconditioner has less of
   double stiffness_scale_ = 0;
 };
 

@@ -17,8 +17,8 @@ class TwoLevel : public OwnedOperator {
     double cell = 1;                           ///< edge of the grid's cells over the horizon; two spacings at least
     double cell_nearly_incompressible = 0.67;  ///< the same, where a material has kappa/mu above 20 (nu about 0.476)
     double bulk_limit = 6;                     ///< see coarse_elasticity
-    double bulk_limit_extreme = 20;            ///< the same, where a material has kappa/mu above 100 (nu about 0.495)
     double spring = 1;                         ///< scale of the springs that stand for prescribed unknowns
+    double softening = 0.1;                    ///< mean change of shear_left at which A_c is made anew
     double weight = 1;                         ///< of the coarse term
     int smoothing = 2;                         ///< degree of the V-cycle's Chebyshev smoother
     long long factorised_up_to = 2500;         ///< coarse unknowns up to which they are factorised
@@ -27,13 +27,17 @@ class TwoLevel : public OwnedOperator {
   /// False for a body of two cells at most on every axis: D alone does as well there. Collective.
   static bool worth_its_cost(const mechanics::Scene& scene);
 
+  /// What of the tangent's stiffness against dilatation belongs in the diagonal blocks given to set().
+  static double dilatation_share(const mechanics::Scene& scene);
+
   /// prescribed: [local * dimension], ghosts up to date; kept by reference, as is the scene. Collective.
   TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene, const std::vector<char>& prescribed,
            const bonds::BondGraph& graph, const Settings& settings);
 
-  /// Takes the tangent's diagonal blocks [owned * dimension^2], row-major, with `diagonal` on prescribed unknowns. The
-  /// first call also builds A_c, which depends on elastic moduli, geometry, cracks and supports only. Collective.
-  void set(const std::vector<double>& blocks, double diagonal);
+  /// Takes the tangent's diagonal blocks [owned * dimension^2], row-major, with `diagonal` on prescribed unknowns, and
+  /// Tangent::shear_left. The first call also makes A_c, of moduli, geometry, cracks and supports; later ones make it
+  /// anew when the shear moduli have changed by Settings::softening in the mean over the body. Collective.
+  void set(const std::vector<double>& blocks, double diagonal, const std::vector<double>& shear_left = {});
   void multiply(const double* x, double* y) const override;
 
   const CoarseGrid& grid() const { return grid_; }
@@ -45,11 +49,13 @@ class TwoLevel : public OwnedOperator {
   double solve_seconds() const { return solve_seconds_; }
 
  private:
+  bool softened(const std::vector<double>& shear_left) const;
   std::vector<double> springs(const std::vector<double>& blocks) const;
 
   const mechanics::Scene& scene_;
   const std::vector<char>& prescribed_;
-  bonds::BondGraph graph_;
+  bonds::BondGraph graph_;          ///< until A_c is first made
+  std::vector<double> shear_left_;  ///< of A_c
   Settings settings_;
   BlockJacobi block_jacobi_;
   CoarseGrid grid_;
