@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "perinox/body/neighbor_search.hpp"
@@ -19,9 +20,12 @@ namespace {
 /// The rule that makes bonds, with what it needs of the particles.
 class Rule {
  public:
-  Rule(const deck::Deck& deck, const body::Body& body, double horizon) : deck_(deck), body_(body), horizon_(horizon) {
+  /// grid: of the body, or null.
+  Rule(const deck::Deck& deck, const body::Body& body, double horizon, const CellGrid* grid)
+      : deck_(deck), body_(body), horizon_(horizon) {
     edge_.reserve(body.volume.size());
     for (const double volume : body.volume) edge_.push_back(body::edge_of(volume, body.dimension));
+    if (deck.quadrature == deck::Quadrature::position_aware) find_factor(grid);
   }
 
   bool may_bond(LocalIndex i, LocalIndex j) const {
@@ -29,24 +33,92 @@ class Rule {
   }
   FoundBond bond(LocalIndex i, LocalIndex j) const {
     const double *a = body_.position(i), *b = body_.position(j);
-    double squared = 0;
-    for (int c = 0; c < body_.dimension; ++c) squared += (b[c] - a[c]) * (b[c] - a[c]);
-    return bond(j, std::sqrt(squared), (edge_[i] + edge_[j]) / 2);
+    double squared = 0, between[3] = {};
+    for (int c = 0; c < body_.dimension; ++c) {
+      between[c] = b[c] - a[c];
+      squared += between[c] * between[c];
+    }
+    return bond(j, between, std::sqrt(squared), (edge_[i] + edge_[j]) / 2);
   }
-  FoundBond bond(LocalIndex j, double length, double spacing) const {
+  /// between: reference bond vector, in any unit.
+  FoundBond bond(LocalIndex j, const double* between, double length, double spacing) const {
     const double share = volume_share(deck_.quadrature, length, horizon_, spacing);
-    return {j, length, share * body_.volume[j], influence_value(deck_.influence, length, horizon_)};
+    const double influence = influence_value(deck_.influence, length, horizon_);
+    return {j, length, share * body_.volume[j], influence * factor_(body_.dimension, between)};
   }
 
  private:
+  /// Only where the body is one lattice on all ranks: they have to agree on every bond's weight.
+  void find_factor(const CellGrid* grid) {
+    std::optional<CellGrid> found;
+    if (!grid && body_.local() > 0) {
+      found = find_grid(body_);
+      if (found) grid = &*found;
+    }
+    double spacing = grid ? grid->spacing : 0;
+    const bool other = grid ? false : body_.local() > 0;
+    const double largest = body_.communicator.max(spacing);
+    if (body_.communicator.any(other || (grid && std::abs(spacing - largest) > 1e-10 * largest)) || largest == 0)
+      return;
+    spacing = largest;
+    const int r = static_cast<int>(horizon_ / spacing * (1 + 1e-10)), flat = body_.dimension == 3 ? r : 0;
+    for (int z = -flat; z <= flat; ++z)
+      for (int y = -r; y <= r; ++y)
+        for (int x = -r; x <= r; ++x) {
+          const double step[3] = {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+          const double length = spacing * std::sqrt(step[0] * step[0] + step[1] * step[1] + step[2] * step[2]);
+          if (length == 0) continue;
+          factor_.add(body_.dimension, step,
+                      volume_share(deck_.quadrature, length, horizon_, spacing) *
+                          influence_value(deck_.influence, length, horizon_) * length * length);
+        }
+    factor_.finish();
+  }
+
   const deck::Deck& deck_;
   const body::Body& body_;
   double horizon_;
   std::vector<double> edge_;  ///< [owned + ghosts] V^(1/d), length
+  CubicFactor factor_;
 };
 
 /// Its contribution to the weighted volume; a bond without one carries nothing and is left out.
 double moment(const FoundBond& bond) { return bond.influence * bond.length * bond.length * bond.weight; }
+
+/// Fourth moments of the families, for those that need a fit.
+class Fits {
+ public:
+  Fits(const deck::Deck& deck, const body::Body& body, Families& families)
+      : wanted_(deck.quadrature == deck::Quadrature::position_aware), body_(body), families_(families) {
+    if (wanted_) families.fit.assign(static_cast<std::size_t>(body.owned), -1);
+  }
+  void add(LocalIndex i, const std::vector<FoundBond>& family) {
+    if (!wanted_) return;
+    const int d = body_.dimension, n = mandel_size(d);
+    std::array<double, 36> sums{};
+    for (const FoundBond& bond : family) {
+      double between[3] = {};
+      for (int c = 0; c < d; ++c) between[c] = (body_.position(bond.neighbor)[c] - body_.position(i)[c]) / bond.length;
+      const Mandel direction = mandel(d, between, 1);
+      for (int p = 0; p < n; ++p)
+        for (int q = 0; q < n; ++q)
+          sums[static_cast<std::size_t>(p * n + q)] += moment(bond) * direction[p] * direction[q];
+    }
+    Moment made;
+    if (!make_moment(d, sums, made)) return;
+    families_.fit[i] = static_cast<std::int32_t>(families_.moments.size());
+    families_.moments.push_back(made);
+  }
+  void finish() {
+    families_.moments.shrink_to_fit();
+    if (families_.moments.empty()) families_.fit = {};
+  }
+
+ private:
+  bool wanted_;
+  const body::Body& body_;
+  Families& families_;
+};
 
 /// Possible bonds of a particle, in ascending id of the neighbour.
 class Candidates {
@@ -93,7 +165,8 @@ class Stencil : public Candidates {
           if (x == 0 && y == 0 && z == 0) continue;
           const double length = grid.spacing * std::sqrt(static_cast<double>(x * x + y * y + z * z));
           if (length > reach * (1 + 1e-10)) continue;
-          const FoundBond bond = rule.bond(0, length, grid.spacing);
+          const double between[3] = {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+          const FoundBond bond = rule.bond(0, between, length, grid.spacing);
           if (moment(bond) <= 0) continue;
           steps_.push_back({x, y, z});
           bonds_.push_back(bond);
@@ -204,7 +277,7 @@ Families find_families(const deck::Deck& deck, const body::Body& body, double ho
       body.reach > 0 ? body.reach : reach(deck, horizon, body::largest_spacing(deck, body.communicator));
   if (within < horizon * (1 - 1e-12)) throw std::logic_error("the body was built with a reach below the horizon");
 
-  const Rule rule(deck, body, horizon);
+  const Rule rule(deck, body, horizon, grid);
   std::unique_ptr<Candidates> candidates;
   if (grid)
     candidates = std::make_unique<Stencil>(body, rule, within, *grid);
@@ -215,6 +288,7 @@ Families find_families(const deck::Deck& deck, const body::Body& body, double ho
   families.size.resize(owned);
   families.weighted_volume.resize(owned);
   families.damage.resize(owned);
+  Fits fits(deck, body, families);
   std::vector<FoundBond> found, whole;
   for (const LocalIndex i : order) {
     candidates->find(i, found);
@@ -234,8 +308,10 @@ Families find_families(const deck::Deck& deck, const body::Body& body, double ho
     families.directed += families.size[i];
     families.weighted_volume[i] = remaining;
     families.damage[i] = uncut > remaining ? (uncut - remaining) / uncut : 0.0;
+    fits.add(i, whole);
     receive(i, whole);
   }
+  fits.finish();
   cracks.refuse_idle();
   refuse_lonely(deck, body, families);
   return families;

@@ -1,4 +1,4 @@
-/// The formulas of a single bond: influence function and share of the neighbour's volume.
+/// The formulas of a single bond: influence function, share of the neighbour's volume, factor that a lattice needs.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,8 @@ namespace perinox::bonds {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kTie = 1e-10;    ///< a neighbour this much (relative) beyond the horizon is still at the horizon
+constexpr double kTie = 1e-10;  ///< a neighbour this much (relative) beyond the horizon is still at the horizon
+constexpr double least_factor = 0.05;
 constexpr double kSliver = 1e-9;  ///< a share below this is rounding: the cell only touches the horizon
 
 }  // namespace
@@ -41,10 +42,36 @@ double continuum_weighted_volume(deck::Influence influence, double horizon, int 
 
 double volume_share(deck::Quadrature quadrature, double length, double horizon, double spacing) {
   const bool within = length <= horizon * (1 + kTie);
-  if (quadrature == deck::Quadrature::whole) return within ? 1 : 0;
+  if (quadrature == deck::Quadrature::whole || quadrature == deck::Quadrature::position_aware) return within ? 1 : 0;
   const double share = std::clamp(0.5 + (horizon - length) / spacing, 0.0, 1.0);
   if (quadrature == deck::Quadrature::taper_inside) return within ? share : 0;
   return share > kSliver ? share : 0;
+}
+
+double CubicFactor::anisotropy(int dimension, const double* bond) {
+  double square = 0, fourth = 0;
+  for (int c = 0; c < dimension; ++c) {
+    square += bond[c] * bond[c];
+    fourth += bond[c] * bond[c] * bond[c] * bond[c];
+  }
+  return fourth / (square * square) - 3.0 / (dimension + 2);
+}
+
+void CubicFactor::add(int dimension, const double* bond, double moment) {
+  const double g = anisotropy(dimension, bond);
+  first_ += moment * g;
+  second_ += moment * g * g;
+  least_ = std::min(least_, g);
+  most_ = std::max(most_, g);
+}
+
+void CubicFactor::finish() {
+  c_ = second_ > 0 ? -first_ / second_ : 0;
+  if (std::min(1 + c_ * least_, 1 + c_ * most_) < least_factor) c_ = 0;
+}
+
+double CubicFactor::operator()(int dimension, const double* bond) const {
+  return c_ == 0 ? 1 : 1 + c_ * anisotropy(dimension, bond);
 }
 
 }  // namespace perinox::bonds

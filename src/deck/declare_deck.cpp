@@ -99,7 +99,8 @@ Key declare_deck(const std::vector<ModelDeclaration>& models) {
   Key quadrature = word_key("quadrature", words::quadrature, "whole",
                             "How much of a neighbour's volume counts near the horizon: all of it, the part inside the "
                             "horizon (linear taper, neighbours just outside included), or that taper without the "
-                            "neighbours outside, as LAMMPS has it.");
+                            "neighbours outside, as LAMMPS has it. position-aware: all of it, with weights and a fit "
+                            "of the strain that make uniform strain exact at every point, surfaces included.");
   quadrature.example = "quadrature: partial-volume";
   Key bond_bodies = boolean_key("bond_bodies", true, "Particles of different bodies form bonds.");
   bond_bodies.example = "bond_bodies: false";

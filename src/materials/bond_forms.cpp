@@ -1,4 +1,5 @@
 /// The point formulas spread over the bonds of one family.
+#include <Eigen/Eigenvalues>
 #include <stdexcept>
 
 #include "perinox/materials/material.hpp"
@@ -25,6 +26,51 @@ FamilySums sums_of(const Family& family, const double* extension, const double* 
   return sums;
 }
 
+/// Sums of a fitted family with its fit.
+struct FittedSums {
+  FamilySums sums;
+  StrainFit fit;
+};
+FittedSums fitted_sums_of(const Family& family, const double* extension, const double* plastic) {
+  FittedSums all;
+  all.sums = sums_of(family, extension, plastic);
+  if (!family.moment) return all;
+  const int n = bonds::mandel_size(family.dimension);
+  Mandel strain{}, flowed{};
+  for (int j = 0; j < family.count; ++j)
+    for (int k = 0; k < n; ++k) {
+      const double share = family.influence[j] * family.weight[j] * family.basis[j * n + k];
+      strain[k] += share * extension[j];
+      if (plastic) flowed[k] += share * plastic[j];
+    }
+  all.fit = fit(*family.moment, strain, flowed, all.sums.square, all.sums.shift);
+  all.sums.fitted = true;
+  all.sums.extension = all.sums.weighted_volume * all.fit.dilatation / family.dimension;
+  all.sums.square = all.fit.square;
+  return all;
+}
+
+/// xi N . h of bond j.
+double along(const Family& family, int j, const Mandel& h) {
+  const int n = bonds::mandel_size(family.dimension);
+  double sum = 0;
+  for (int k = 0; k < n; ++k) sum += family.basis[j * n + k] * h[k];
+  return sum;
+}
+
+/// xi N . A sum w xi N de as rank-one terms, one an eigenvector of A.
+void add_strain_modulus(const Family& family, const PointModulus& point, ModulusState& result) {
+  const int n = bonds::mandel_size(family.dimension);
+  const std::array<double, 36> modulus = strain_modulus(*family.moment, point.bulk, point.shear);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> values(Eigen::Map<const Eigen::MatrixXd>(modulus.data(), n, n));
+  for (int r = 0; r < n; ++r) {
+    double* p = result.add_symmetric(values.eigenvalues()[r]);
+    Mandel vector{};
+    for (int k = 0; k < n; ++k) vector[k] = values.eigenvectors()(k, r);
+    for (int j = 0; j < family.count; ++j) p[j] = family.influence[j] * along(family, j, vector);
+  }
+}
+
 }  // namespace
 
 PointState Material::state(const FamilySums&, const double*, double*) const {
@@ -38,10 +84,14 @@ PointModulus Material::modulus(const FamilySums&, const double*, deck::TangentFo
 PointResponse Material::respond(const Family& family, const double* extension, CommittedHistory committed,
                                 double* force_state, TrialHistory trial) const {
   const double* plastic = history().per_bond > 0 ? committed.bond : nullptr;
-  const PointState point = state(sums_of(family, extension, plastic), committed.point, trial.point);
+  const FittedSums all = fitted_sums_of(family, extension, plastic);
+  const PointState point = state(all.sums, committed.point, trial.point);
+  Mandel h{};
+  if (family.moment) h = force_of_fit(*family.moment, all.fit, point);
   for (int j = 0; j < family.count; ++j) {
     const double e_p = plastic ? plastic[j] : 0;
-    force_state[j] = family.influence[j] * (point.radial * family.length[j] + point.shear * (extension[j] - e_p));
+    const double strain = family.moment ? along(family, j, h) : point.radial * family.length[j];
+    force_state[j] = family.influence[j] * (strain + point.shear * (extension[j] - e_p));
     if (plastic) trial.bond[j] = e_p + point.flow * (extension[j] - point.mean * family.length[j] - e_p);
   }
   return point.response;
@@ -50,16 +100,21 @@ PointResponse Material::respond(const Family& family, const double* extension, C
 void Material::modulus(const Family& family, const double* extension, CommittedHistory committed,
                        deck::TangentForm form, ModulusState& result) const {
   const double* plastic = history().per_bond > 0 ? committed.bond : nullptr;
-  const PointModulus point = modulus(sums_of(family, extension, plastic), committed.point, form);
+  const FittedSums all = fitted_sums_of(family, extension, plastic);
+  const PointModulus point = modulus(all.sums, committed.point, form);
   result.reset(family.count);
   double* diagonal = result.diagonal();
   for (int j = 0; j < family.count; ++j) diagonal[j] = point.shear * family.influence[j];
-  if (point.radial != 0) result.add_radial(point.radial);
+  if (family.moment)
+    add_strain_modulus(family, point, result);
+  else if (point.radial != 0)
+    result.add_radial(point.radial);
   if (point.flow == 0) return;
+  const Mandel slope = family.moment ? slope_of_fit(*family.moment, all.fit, point) : Mandel{};
   double* flowing = point.diagonal_only ? nullptr : result.add_symmetric(point.flow);
   for (int j = 0; j < family.count; ++j) {
-    const double elastic = extension[j] - point.mean * family.length[j] - (plastic ? plastic[j] : 0);
-    const double q = family.influence[j] * elastic;
+    const double strain = family.moment ? along(family, j, slope) : -point.mean * family.length[j];
+    const double q = family.influence[j] * (extension[j] - (plastic ? plastic[j] : 0) + strain);
     if (flowing)
       flowing[j] = q;
     else

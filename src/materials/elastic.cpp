@@ -15,7 +15,8 @@ PointState Elastic::state(const FamilySums& sums, const double*, double*) const 
   const double theta = with_dilatation_ ? d / m * sums.extension : 0;
   point.mean = theta / d;
   point.shear = alpha;
-  point.radial = d * bulk_ * theta / m - alpha * point.mean;
+  point.pressure = bulk_ * theta;
+  point.radial = d * point.pressure / m - alpha * point.mean;
   point.response.dilatation = theta;
   point.response.stored_energy = 0.5 * (bulk_ * theta * theta + alpha * sums.square_about(point.mean));
   return point;
@@ -28,6 +29,7 @@ PointModulus Elastic::modulus(const FamilySums& sums, const double*, deck::Tange
   point.shear = d * (d + 2) * shear_ / m;
   if (!with_dilatation_) return point;
   point.mean = sums.extension / m;
+  point.bulk = bulk_;
   point.radial = (d * d * bulk_ - point.shear * m) / (m * m);  // (26)
   return point;
 }

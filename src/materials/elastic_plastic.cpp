@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "perinox/materials/plane_plastic.hpp"
+
 namespace perinox::materials {
 
 namespace {
@@ -51,7 +53,8 @@ PointState ElasticPlastic::state(const FamilySums& sums, const double* committed
   PointState point;
   point.mean = r.dilatation / d;
   point.shear = r.scale * r.alpha;
-  point.radial = d * parameters_.bulk * r.dilatation / sums.weighted_volume - point.shear * point.mean;
+  point.pressure = parameters_.bulk * r.dilatation;
+  point.radial = d * point.pressure / sums.weighted_volume - point.shear * point.mean;
   point.flow = 1 - r.scale;                                                  // e_p + Delta lambda t_d/omega (45)
   const double delta_lambda = r.yielding ? (1 / r.scale - 1) / r.alpha : 0;  // (44)
   trial[multiplier] = committed[multiplier] + delta_lambda;
@@ -76,6 +79,7 @@ PointModulus ElasticPlastic::modulus(const FamilySums& sums, const double* commi
   point.shear = r.scale * r.alpha;
   const bool printed = form == deck::TangentForm::printed && r.yielding;
   if (parameters_.with_dilatation) {
+    point.bulk = parameters_.bulk;
     // Eq. 65 as printed lacks the factor 3/m of the dilatation's gradient.
     point.radial =
         printed ? 3 * parameters_.bulk / m - point.shear / 3 : (d * d * parameters_.bulk - point.shear * m) / (m * m);
@@ -128,10 +132,12 @@ deck::Key stress_choice(const char* name, const char* sentence, bool required, b
 }
 
 deck::ModelDeclaration declaration() {
-  deck::ModelDeclaration model{"elastic-plastic",
-                               "Ordinary state-based plasticity (Mitchell 2011, Eq. 27-65, corrected), perfect or with "
-                               "linear isotropic hardening; 3-D.",
-                               elastic_keys()};
+  deck::ModelDeclaration model{
+      "elastic-plastic",
+      "Ordinary state-based plasticity (Mitchell 2011, Eq. 27-65, corrected), perfect or with "
+      "linear isotropic hardening; in plane strain and plane stress with the plastic strain out of the "
+      "plane.",
+      elastic_keys()};
   model.keys.push_back(stress_choice("yield_stress", "Yield stress; say in which test it was measured.", true, false,
                                      "In uniaxial tension; the yield stress in shear is this over sqrt(3) (Eq. 56).",
                                      "In pure shear (Eq. 57)."));
@@ -149,16 +155,11 @@ deck::ModelDeclaration declaration() {
       "neighbourhood, Eq. 51, as other codes have it.";
   model.keys.push_back(scaling);
   model.fields = point_history;
+  model.fields.push_back("plastic_strain_zz");  // in 2-D
   return model;
 }
 
 std::unique_ptr<Material> make_elastic_plastic(const deck::Material& material, deck::Dimension dimension) {
-  if (dimension != deck::Dimension::three)
-    deck::refuse(material.location,
-                 fmt::format("material {} is elastic-plastic, which this version has in 3-D only (in "
-                             "2-D the plastic flow out of the plane is missing); use dimension: 3 "
-                             "with a thin body, or model: elastic",
-                             material.name));
   const ElasticConstants constants = elastic_constants(material);
   ElasticPlastic::Parameters p;
   p.bulk = constants.bulk;
@@ -171,7 +172,15 @@ std::unique_ptr<Material> make_elastic_plastic(const deck::Material& material, d
   }
   p.continuum_yield = material.parameters.at("yield_scaling").text() == "continuum";
   p.with_dilatation = material.parameters.at("dilatation").boolean();
-  return std::make_unique<ElasticPlastic>(p);
+  if (dimension == deck::Dimension::three) return std::make_unique<ElasticPlastic>(p);
+  if (p.continuum_yield)
+    deck::refuse(material.parameters.at("yield_scaling").location(),
+                 "the continuum yield value (Eq. 51) is that of a solid; in 2-D leave yield_scaling out");
+  if (!p.with_dilatation)
+    deck::refuse(material.parameters.at("dilatation").location(),
+                 "plasticity in the plane needs the dilatation, which the strain out of the plane follows; leave "
+                 "dilatation out, or use dimension: 3");
+  return std::make_unique<PlanePlastic>(p, dimension);
 }
 
 PERINOX_REGISTER_MATERIAL(elastic_plastic, (Model{declaration(), make_elastic_plastic}));

@@ -4,6 +4,19 @@
 
 namespace perinox::materials {
 
+Mandel force_of_fit(const bonds::Moment& moment, const StrainFit& fit, const PointState& point) {
+  Mandel h = volumetric(moment);
+  for (std::size_t k = 0; k < h.size(); ++k) h[k] = point.pressure * h[k] + point.shear * fit.slope[k];
+  return h;
+}
+
+Mandel slope_of_fit(const bonds::Moment& moment, const StrainFit& fit, const PointModulus& point) {
+  if (point.flow_pressure == 0) return fit.slope;
+  Mandel slope = volumetric(moment);
+  for (std::size_t k = 0; k < slope.size(); ++k) slope[k] = point.flow_pressure * slope[k] + fit.slope[k];
+  return slope;
+}
+
 void ModulusState::reset(int count) {
   count_ = count;
   rank_ = 0;

@@ -13,8 +13,9 @@ class Evaluation {
   /// Brings the sums to displacement [owned * dimension]. Collective.
   void at(const Scene& scene, const Committed& committed, const double* displacement);
 
-  /// Of the state of the last at().
-  materials::FamilySums sums(const Scene& scene, const Committed& committed, LocalIndex i) const;
+  /// Of the state of the last at(). fit: what the sums of a fitted particle say.
+  materials::FamilySums sums(const Scene& scene, const Committed& committed, LocalIndex i,
+                             materials::StrainFit& fit) const;
   const std::vector<double>& displacement() const { return displacement_; }  ///< [local * dimension]
 
   FamilyLoops& loops() { return *loops_; }

@@ -11,7 +11,33 @@ std::unique_ptr<FamilyLoops> FamilyLoops::make(const Scene& scene) {
 }
 
 FamilyLoops::FamilyLoops(const Scene& scene)
-    : halo_(scene.body().halo), d_(scene.dimension()), owned_(scene.owned()), local_(scene.local()) {}
+    : halo_(scene.body().halo), d_(scene.dimension()), owned_(scene.owned()), local_(scene.local()) {
+  const bonds::Families& families = scene.families();
+  fit_of_ = families.fit;
+  fitted_.resize(families.moments.size());
+  for (LocalIndex i = 0; i < owned_; ++i)
+    if (families.moment(i)) fitted_[static_cast<std::size_t>(families.fit[i])] = i;
+}
+
+void FamilyLoops::keep_fits(const TangentLaw& law) {
+  slope_ = law.slope;
+  modulus_ = law.modulus;
+}
+
+FamilyLoops::FitChange FamilyLoops::change_of_fit(std::size_t m, const bonds::Mandel& sums, double second,
+                                                  double flow) const {
+  const auto n = static_cast<std::size_t>(bonds::mandel_size(d_));
+  FitChange result;
+  double along = second;
+  for (std::size_t k = 0; k < n; ++k) along += slope_[m][k] * sums[k];
+  result.flow = flow * along;
+  for (std::size_t k = 0; k < n; ++k) {
+    double change = slope_[m][k] * result.flow;
+    for (std::size_t l = 0; l < n; ++l) change += modulus_[m][k * n + l] * sums[l];
+    result.change[k] = change;
+  }
+  return result;
+}
 
 void FamilyLoops::product(const double* x, double* y) {
   const bool alone = local_ == owned_ && halo_.neighbors() == 0;

@@ -31,12 +31,16 @@ void swept_force(const Scene& scene, const Committed& committed, const double* d
   trial.displacement = evaluation.displacement();
   const auto owned = static_cast<std::size_t>(scene.owned());
   std::vector<double> radial(owned), shear(owned);
+  std::vector<bonds::Mandel> state(scene.families().moments.size());
+  materials::StrainFit fit;
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
     const materials::PointState point =
-        scene.material(i).state(evaluation.sums(scene, committed, i), committed.point_history(scene, i),
+        scene.material(i).state(evaluation.sums(scene, committed, i, fit), committed.point_history(scene, i),
                                 trial.point_history.data() + scene.point_history()[i]);
-    radial[i] = point.radial;
+    const bonds::Moment* moment = scene.families().moment(i);
+    radial[i] = moment ? 0 : point.radial;
     shear[i] = point.shear;
+    if (moment) state[static_cast<std::size_t>(scene.families().fit[i])] = force_of_fit(*moment, fit, point);
     trial.mean[i] = point.mean;
     if (!trial.flow.empty()) trial.flow[i] = point.flow;
     trial.dilatation[i] = point.response.dilatation;
@@ -45,7 +49,7 @@ void swept_force(const Scene& scene, const Committed& committed, const double* d
     trial.dissipated += scene.body().volume[i] * point.response.dissipation;
     trial.yielding += point.response.yielding ? 1 : 0;
   }
-  evaluation.loops().forces(radial.data(), shear.data(), committed.plastic(), force.data());
+  evaluation.loops().forces(radial.data(), shear.data(), state.data(), committed.plastic(), force.data());
 }
 
 }  // namespace

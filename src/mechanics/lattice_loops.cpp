@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t line = 8;  // doubles a cache line
 /// Numbers of the arrays that the sweeps use together.
 namespace place {
-constexpr int u = 0, x = 3, law = 6, mean = 10, out = 11;
+constexpr int u = 0, x = 3, law = 6, mean = 10, out = 11, state = 20, change = 26;
 }
 }  // namespace
 
@@ -28,6 +28,10 @@ LatticeLoops::LatticeLoops(const Scene& scene)
     o.cell = offset.step[0] + offset.step[1] * grid.row + offset.step[2] * grid.plane;
     for (int k = 0; k < 3; ++k) o.bond[grid.axis[k]] = offset.step[k] * grid.spacing;
     o.length = offset.length;
+    double direction[3] = {};  // along the body's axes
+    for (int k = 0; k < 3; ++k) direction[k] = o.bond[k] / offset.length;
+    const bonds::Mandel basis = bonds::mandel(d_, direction, offset.length);
+    std::copy(basis.begin(), basis.end(), o.basis);
     o.inverse = 1 / offset.length;
     o.influence = offset.influence * offset.share * volume;
     o.radial = o.influence * offset.length;
@@ -36,10 +40,41 @@ LatticeLoops::LatticeLoops(const Scene& scene)
     guard_ = std::max(guard_, std::abs(o.cell) + line);
   }
   for (const auto& block : families_.blocks()) blocks_.push_back({block.cell, block.mask});
+  if (!fitted_.empty()) find_fitted_blocks();
+}
+
+void LatticeLoops::find_fitted_blocks() {
+  std::vector<char> fitted(static_cast<std::size_t>(families_.grid().size()), 0);
+  for (const LocalIndex i : fitted_) fitted[static_cast<std::size_t>(families_.grid().cell[i])] = 1;
+  const auto cells = static_cast<std::int64_t>(fitted.size());
+  const auto any = [&](std::int64_t cell) {
+    for (std::int64_t k = cell; k < cell + kernels::group; ++k)
+      if (k >= 0 && k < cells && fitted[static_cast<std::size_t>(k)]) return true;
+    return false;
+  };
+  for (const kernels::Block& block : blocks_) {
+    bool found = any(block.cell);
+    for (std::size_t o = 0; o < offsets_.size() && !found; ++o) found = any(block.cell + offsets_[o].cell);
+    fitted_blocks_.push_back(found ? 1 : 0);
+  }
+}
+
+void LatticeLoops::put_fits(const bonds::Mandel* values, GridArrays& arrays, int first) {
+  if (fitted_.empty()) return;
+  require(arrays, bonds::mandel_size(d_), first);
+  for (std::size_t m = 0; m < fitted_.size(); ++m)
+    for (int k = 0; k < bonds::mandel_size(d_); ++k) arrays[k][families_.grid().cell[fitted_[m]]] = values[m][k];
+}
+
+bonds::Mandel LatticeLoops::take_fit(std::size_t m, int array) const {
+  bonds::Mandel sums{};
+  for (int k = 0; k < bonds::mandel_size(d_); ++k) sums[k] = out_[array + k][families_.grid().cell[fitted_[m]]];
+  return sums;
 }
 
 std::size_t LatticeLoops::bytes() const {
-  return u_.bytes() + x_.bytes() + law_.bytes() + mean_.bytes() + out_.bytes() +
+  return u_.bytes() + x_.bytes() + law_.bytes() + mean_.bytes() + out_.bytes() + state_.bytes() + change_.bytes() +
+         fitted_.size() * (sizeof(LocalIndex) + sizeof(slope_[0]) + sizeof(modulus_[0])) + fitted_blocks_.size() +
          (dilatation_.size() + flow_.size() + ghosts_.size() + plastic_.size()) * sizeof(double) +
          blocks_.size() * sizeof(kernels::Block);
 }
@@ -49,15 +84,28 @@ LoopMemory LatticeLoops::expected() const {
   const auto arrays = [&](int count) { return GridArrays::bytes_of(count, cells, guard_); };
   const std::size_t own = blocks_.size() * sizeof(kernels::Block);
   LoopMemory memory;
-  memory.evaluation = arrays(d_) + arrays(1) + arrays(3) + arrays(2) + own;
-  memory.tangent = arrays(d_) + arrays(small_ ? 3 : 4) + arrays(std::max(d_, 2)) + own +
+  memory.evaluation = arrays(d_) + arrays(1) + arrays(strain_results()) + arrays(2) + own;
+  memory.tangent = arrays(d_) + arrays(small_ ? 3 : 4) + arrays(product_results()) + own +
                    static_cast<std::size_t>(cells) * sizeof(double);
   if (moved_) memory.tangent += arrays(d_);
+  if (!fitted_.empty()) {
+    const std::size_t lists = fitted_.size() * sizeof(LocalIndex) + blocks_.size();
+    memory.evaluation += arrays(bonds::mandel_size(d_)) + lists;
+    memory.tangent += (small_ ? 1 : 2) * arrays(bonds::mandel_size(d_)) + lists +
+                      fitted_.size() * (sizeof(slope_[0]) + sizeof(modulus_[0]));
+  }
   if (local_ > owned_) memory.tangent += static_cast<std::size_t>(local_) * d_ * sizeof(double);
   if (!plastic_body_) return memory;
   memory.tangent += arrays(1) + static_cast<std::size_t>(cells) * sizeof(double) + blocks_.size() * sizeof(double*);
   memory.plastic = blocks_.size() * (offsets_.size() * 2 * kernels::group * sizeof(double) + sizeof(double*));
   return memory;
+}
+
+int LatticeLoops::strain_results() const {
+  return fitted_.empty() ? 3 : kernels::first_plastic_fit + (plastic_body_ ? bonds::mandel_size(d_) : 0);
+}
+int LatticeLoops::product_results() const {
+  return fitted_.empty() ? std::max(d_, 2) : kernels::first_fit_change + bonds::mandel_size(d_);
 }
 
 void LatticeLoops::require(GridArrays& arrays, int count, int first) {
@@ -74,6 +122,11 @@ kernels::LatticeView LatticeLoops::view(double* const* plastic, Range range) con
   view.block_count = static_cast<std::int64_t>(last - first);
   view.masks = families_.masks().data();
   view.plastic = plastic ? plastic + first : nullptr;
+  view.fitted = fitted_blocks_.empty() ? nullptr : fitted_blocks_.data() + first;
+  if (!state_.empty())
+    for (int k = 0; k < bonds::mandel_size(d_); ++k) view.state[k] = state_[k];
+  if (!change_.empty())
+    for (int k = 0; k < bonds::mandel_size(d_); ++k) view.change[k] = change_[k];
   view.volume = families_.volume();
   return view;
 }
@@ -101,18 +154,24 @@ void LatticeLoops::strain_sums(const double* displacement, const double* shift, 
                                StrainSums& sums) {
   require(u_, d_, place::u);
   require(mean_, 1, place::mean);
-  require(out_, 3, place::out);
+  require(out_, strain_results(), place::out);
   put(displacement, d_, 0, local_, u_, 0);
   put(shift, 1, 0, owned_, mean_, 0);
   const bool flowed = plastic.chunks() != nullptr;
   kernels::LatticeView g = view(plastic.chunks(), every);
   for (int c = 0; c < d_; ++c) g.u[c] = u_[c];
   g.mean = mean_[0];
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < strain_results(); ++k) {
     out_.clear(k);
     g.out[k] = out_[k];
   }
   sweep(kernels::sweeps().lattice.strain_sums, g);
+  sums.fit.resize(fitted_.size());
+  sums.plastic_fit.assign(fitted_.size(), {});
+  for (std::size_t m = 0; m < fitted_.size(); ++m) {
+    sums.fit[m] = take_fit(m, kernels::first_fit);
+    if (flowed) sums.plastic_fit[m] = take_fit(m, kernels::first_plastic_fit);
+  }
   const auto owned = static_cast<std::size_t>(owned_);
   sums.extension.resize(owned);
   sums.square.resize(owned);
@@ -122,8 +181,10 @@ void LatticeLoops::strain_sums(const double* displacement, const double* shift, 
   if (flowed) take(out_, 2, 1, 0, owned_, sums.plastic.data());
 }
 
-void LatticeLoops::forces(const double* radial, const double* shear, const PlasticExtension& plastic, double* force) {
+void LatticeLoops::forces(const double* radial, const double* shear, const bonds::Mandel* state,
+                          const PlasticExtension& plastic, double* force) {
   require(law_, 2, place::law);
+  put_fits(state, state_, place::state);
   put(radial, 1, 0, owned_, law_, 0);
   put(shear, 1, 0, owned_, law_, 1);
   kernels::LatticeView g = view(plastic.chunks(), every);
@@ -149,7 +210,10 @@ void LatticeLoops::linearise(const double* displacement, const TangentLaw& law, 
   }
   require(x_, d_, place::x);
   require(law_, small_ ? 3 : 4, place::law);
-  require(out_, std::max(d_, 2), place::out);
+  require(out_, product_results(), place::out);
+  if (!small_) put_fits(law.state.data(), state_, place::state);
+  if (!fitted_.empty()) require(change_, bonds::mandel_size(d_), place::change);
+  keep_fits(law);
   if (!small_) put(law.radial.data(), 1, 0, owned_, law_, kernels::radial);
   put(law.shear.data(), 1, 0, owned_, law_, kernels::shear);
   const std::vector<std::int64_t>& cell = families_.grid().cell;
@@ -161,6 +225,7 @@ void LatticeLoops::linearise(const double* displacement, const TangentLaw& law, 
     dilatation_[cell[i]] = law.dilatation[i];
     if (flows) flow_[cell[i]] = law.flow[i];
   }
+  for (const LocalIndex i : fitted_) dilatation_[cell[i]] = 0;
   plastic_.clear();
   if (plastic.chunks()) plastic_.assign(plastic.chunks(), plastic.chunks() + blocks_.size());
   if (!flows) {
@@ -199,15 +264,15 @@ kernels::LatticeView LatticeLoops::product_view(Bonds bonds) const {
     g.x[c] = x_[c];
   }
   for (int k = 0; k < (small_ ? 3 : 4); ++k) g.law[k] = law_[k];
-  for (int k = 0; k < std::max(d_, 2); ++k) g.out[k] = out_[k];
+  for (int k = 0; k < product_results(); ++k) g.out[k] = out_[k];
   return g;
 }
 
 void LatticeLoops::put_direction(const double* x, LocalIndex first, LocalIndex last) { put(x, d_, first, last, x_, 0); }
 
 void LatticeLoops::clear_sums() {
-  out_.clear(0);
-  out_.clear(1);
+  const int sums = fitted_.empty() ? 2 : product_results();
+  for (int k = 0; k < sums; ++k) out_.clear(k);
 }
 
 void LatticeLoops::product_sums(Bonds bonds) { sweep(kernels::sweeps().lattice.product_sums, product_view(bonds)); }
@@ -225,6 +290,14 @@ void LatticeLoops::product_law() {
       along[c] = dilatation_[c] * first[c] - mean[c] * flow[c];
     }
   }
+  for (std::size_t m = 0; m < fitted_.size(); ++m) {
+    const std::int64_t c = families_.grid().cell[fitted_[m]];
+    const FitChange fit =
+        change_of_fit(m, take_fit(m, kernels::first_fit_change), second[c], flow_.empty() ? 0 : flow_[c]);
+    along[c] = 0;
+    flow[c] = fit.flow;
+    for (int k = 0; k < bonds::mandel_size(d_); ++k) change_[k][c] = fit.change[k];
+  }
   for (int c = 0; c < d_; ++c) out_.clear(c);
 }
 
@@ -235,7 +308,8 @@ void LatticeLoops::take_forces(LocalIndex first, LocalIndex last, double* y) con
 }
 
 void LatticeLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
-  const int results = d_ * (d_ + 1) / 2 + d_ + (plastic_.empty() ? 0 : d_);
+  const int n = bonds::mandel_size(d_);
+  const int results = fitted_.empty() ? n + d_ + (plastic_.empty() ? 0 : d_) : kernels::first_fit_gradient + n * d_;
   GridArrays out;
   require(out, results, place::x);
   put(law.dilatation.data(), 1, 0, owned_, law_, kernels::along);
@@ -249,8 +323,9 @@ void LatticeLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
   std::vector<double> entries(static_cast<std::size_t>(results));
   for (int i = 0; i < local_; ++i) {
     for (int k = 0; k < results; ++k) entries[k] = out[k][families_.grid().cell[i]];
-    finish_block(d_, i < owned_, entries.data(), results, families_.volume(), i < owned_ ? law.dilatation[i] : 0,
-                 i < owned_ ? law.flow[i] : 0, blocks + static_cast<std::size_t>(i) * d_ * d_);
+    const OwnTerms own = i < owned_ ? own_terms(law, i, fit_of(i), families_.volume()) : OwnTerms();
+    finish_block(d_, entries.data(), !plastic_.empty(), i < owned_ ? &own : nullptr,
+                 blocks + static_cast<std::size_t>(i) * d_ * d_);
   }
 }
 

@@ -36,9 +36,14 @@ void MatrixFreeTangent::linearise(const Committed& committed, const double* disp
   for (std::vector<double>* values : {&law_.radial, &law_.shear, &law_.mean, &law_.dilatation, &law_.flow})
     values->resize(owned);
   shear_left_.clear();
+  const bonds::Families& families = scene_.families();
+  law_.state.resize(families.moments.size());
+  law_.slope.resize(families.moments.size());
+  law_.modulus.resize(families.moments.size());
+  materials::StrainFit fit;
   std::vector<double> trial;
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
-    const materials::FamilySums sums = evaluation.sums(scene_, committed, i);
+    const materials::FamilySums sums = evaluation.sums(scene_, committed, i, fit);
     const double* history = committed.point_history(scene_, i);
     trial.resize(static_cast<std::size_t>(scene_.point_history()[i + 1] - scene_.point_history()[i]));
     const materials::PointState state = scene_.material(i).state(sums, history, trial.data());
@@ -49,6 +54,13 @@ void MatrixFreeTangent::linearise(const Committed& committed, const double* disp
     law_.mean[i] = modulus.mean;
     law_.dilatation[i] = modulus.radial;
     law_.flow[i] = modulus.flow;
+    if (const bonds::Moment* moment = families.moment(i)) {
+      const auto m = static_cast<std::size_t>(families.fit[i]);
+      law_.radial[i] = 0;
+      law_.state[m] = force_of_fit(*moment, fit, state);
+      law_.slope[m] = slope_of_fit(*moment, fit, modulus);
+      law_.modulus[m] = materials::strain_modulus(*moment, modulus.bulk, modulus.shear);
+    }
     if (modulus.flow == 0) continue;
     shear_left_.resize(owned, 1.0);
     shear_left_[i] = left_of_shear(sums, modulus, scene_.material(i).elastic_moduli(scene_.dimension()).shear);
@@ -70,6 +82,8 @@ void MatrixFreeTangent::diagonal_blocks(double* blocks, double dilatation) const
   } else {
     TangentLaw law = law_;
     for (double& coefficient : law.dilatation) coefficient *= dilatation;
+    for (auto& modulus : law.modulus)
+      for (double& coefficient : modulus) coefficient *= dilatation;
     loops_->diagonal_blocks(law, all.data());
   }
   scene_.body().halo.add_to_owners(all.data(), size);
@@ -77,7 +91,8 @@ void MatrixFreeTangent::diagonal_blocks(double* blocks, double dilatation) const
 }
 
 std::size_t MatrixFreeTangent::bytes() const {
-  return loops_->bytes() + (5 * law_.radial.size() + shear_left_.size()) * sizeof(double);
+  const std::size_t fits = law_.state.size() * (2 * sizeof(bonds::Mandel) + sizeof(law_.modulus[0]));
+  return loops_->bytes() + (5 * law_.radial.size() + shear_left_.size()) * sizeof(double) + fits;
 }
 
 std::unique_ptr<Tangent> make_tangent(const Scene& scene, deck::TangentForm form) {

@@ -17,22 +17,81 @@ PairLoops::PairLoops(const Scene& scene)
   put(scene.body().reference.data(), d_, 0, local_, reference_, 0);
   put(scene.body().volume.data(), 1, 0, local_, reference_, 3);
   // The particle that is not there has no volume, and a place where no other is.
+  if (!fitted_.empty()) {
+    std::vector<std::uint8_t> fitted(static_cast<std::size_t>(families_.slots()), 0);
+    for (const LocalIndex i : fitted_) fitted[static_cast<std::size_t>(slot_[i])] = 1;
+    fitted_slots_.assign(fitted.begin(), fitted.begin() + owned_);
+    for (int s = 0; s < owned_; ++s)
+      for (std::int64_t k = families_.begin()[s]; k < families_.begin()[s + 1] && !fitted_slots_[s]; ++k)
+        fitted_slots_[s] = fitted[static_cast<std::size_t>(families_.far()[k])];
+  }
   double largest = 1;
   for (const double x : scene.body().reference) largest = std::max(largest, std::abs(x));
   for (int c = 0; c < d_; ++c) reference_[4 * static_cast<std::size_t>(families_.slots() - 1) + c] = 1e3 * largest;
 }
 
+int PairLoops::strain_results() const {
+  return fitted_.empty() ? 3 : kernels::first_plastic_fit + (plastic_body_ ? bonds::mandel_size(d_) : 0);
+}
+int PairLoops::product_results() const {
+  return fitted_.empty() ? 3 : kernels::first_fit_change + bonds::mandel_size(d_);
+}
+
+void PairLoops::clear_results(int count) {
+  for (int part = 0; part < parts_of(count); ++part) {
+    require(out_[part]);
+    std::fill(out_[part].begin(), out_[part].end(), 0.0);
+  }
+}
+
+void PairLoops::set_results(kernels::PairView& view, std::array<Values, 8>& results) {
+  for (std::size_t part = 0; part < results.size(); ++part)
+    view.out[part] = results[part].empty() ? nullptr : results[part].data();
+}
+
+void PairLoops::put_fits(const bonds::Mandel* values, std::array<Values, 2>& to) const {
+  if (fitted_.empty()) return;
+  for (Values& part : to) require(part);
+  for (std::size_t m = 0; m < fitted_.size(); ++m)
+    for (int k = 0; k < bonds::mandel_size(d_); ++k)
+      to[k / 4][4 * static_cast<std::size_t>(slot_[fitted_[m]]) + k % 4] = values[m][k];
+}
+
+bonds::Mandel PairLoops::take_fit(std::size_t m, int first) const {
+  bonds::Mandel sums{};
+  const std::size_t at = 4 * static_cast<std::size_t>(slot_[fitted_[m]]);
+  for (int k = 0; k < bonds::mandel_size(d_); ++k) sums[k] = out_[(first + k) / 4][at + (first + k) % 4];
+  return sums;
+}
+
+void PairLoops::set_fits(kernels::PairView& view) const {
+  view.fitted = fitted_slots_.empty() ? nullptr : fitted_slots_.data();
+  for (std::size_t part = 0; part < 2; ++part) {
+    if (!state_[part].empty()) view.state[part] = state_[part].data();
+    if (!change_[part].empty()) view.change[part] = change_[part].data();
+  }
+}
+
 std::size_t PairLoops::bytes() const {
-  return (reference_.size() + u_.size() + x_.size() + law_.size() + out_.size() + dilatation_.size() + flow_.size() +
-          ghosts_.size() + plastic_.size()) *
-         sizeof(double);
+  std::size_t values = reference_.size() + u_.size() + x_.size() + law_.size() + dilatation_.size() + flow_.size() +
+                       ghosts_.size() + plastic_.size();
+  for (const Values& part : out_) values += part.size();
+  for (const auto* fits : {&state_, &change_})
+    for (const Values& part : *fits) values += part.size();
+  return values * sizeof(double) + fitted_slots_.size() +
+         fitted_.size() * (sizeof(LocalIndex) + sizeof(slope_[0]) + sizeof(modulus_[0]));
 }
 
 LoopMemory PairLoops::expected() const {
   const auto values = static_cast<std::size_t>(families_.slots()) * 4 * sizeof(double);
   LoopMemory memory;
-  memory.evaluation = 4 * values;
-  memory.tangent = 5 * values + 2 * static_cast<std::size_t>(owned_) * sizeof(double);
+  memory.evaluation = (3 + parts_of(strain_results())) * values;
+  memory.tangent = (4 + parts_of(product_results())) * values + 2 * static_cast<std::size_t>(owned_) * sizeof(double);
+  if (!fitted_.empty()) {
+    const std::size_t lists = fitted_.size() * sizeof(LocalIndex) + static_cast<std::size_t>(owned_);
+    memory.evaluation += 2 * values + lists;
+    memory.tangent += (small_ ? 2 : 4) * values + lists + fitted_.size() * (sizeof(slope_[0]) + sizeof(modulus_[0]));
+  }
   if (local_ > owned_) memory.tangent += static_cast<std::size_t>(local_) * d_ * sizeof(double);
   if (!plastic_body_) return memory;
   memory.tangent += static_cast<std::size_t>(owned_) * sizeof(double*);
@@ -53,6 +112,9 @@ kernels::PairView PairLoops::view(const std::vector<std::int32_t>& slots, double
   view.plastic = plastic;
   // What a sweep does not use it does not read, but it may form the address.
   view.place = view.u = view.x = view.law = reference_.data();
+  for (const double*& part : view.state) part = reference_.data();
+  for (const double*& part : view.change) part = reference_.data();
+  set_fits(view);
   return view;
 }
 
@@ -79,40 +141,51 @@ void PairLoops::take(const Values& from, int component, int components, int firs
 void PairLoops::strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
                             StrainSums& sums) {
   require(u_);
-  require(out_);
   put(displacement, d_, 0, local_, u_, 0);
   put(shift, 1, 0, owned_, u_, 3);
-  std::fill(out_.begin(), out_.end(), 0.0);
+  clear_results(strain_results());
   kernels::PairView g = view(families_.interior(), plastic.chunks());
   g.place = reference_.data();
   g.u = u_.data();
-  g.out[0] = out_.data();
+  set_results(g, out_);
   both(kernels::sweeps().pairs.strain_sums, g);
+  sums.fit.resize(fitted_.size());
+  sums.plastic_fit.assign(fitted_.size(), {});
+  for (std::size_t m = 0; m < fitted_.size(); ++m) {
+    sums.fit[m] = take_fit(m, kernels::first_fit);
+    if (plastic.chunks()) sums.plastic_fit[m] = take_fit(m, kernels::first_plastic_fit);
+  }
   const auto owned = static_cast<std::size_t>(owned_);
   sums.extension.resize(owned);
   sums.square.resize(owned);
   sums.plastic.resize(plastic.chunks() ? owned : 0);
-  take(out_, 0, 1, 0, owned_, sums.extension.data());
-  take(out_, 1, 1, 0, owned_, sums.square.data());
-  if (plastic.chunks()) take(out_, 2, 1, 0, owned_, sums.plastic.data());
+  take(out_[0], 0, 1, 0, owned_, sums.extension.data());
+  take(out_[0], 1, 1, 0, owned_, sums.square.data());
+  if (plastic.chunks()) take(out_[0], 2, 1, 0, owned_, sums.plastic.data());
 }
 
-void PairLoops::forces(const double* radial, const double* shear, const PlasticExtension& plastic, double* force) {
+void PairLoops::forces(const double* radial, const double* shear, const bonds::Mandel* state,
+                       const PlasticExtension& plastic, double* force) {
   require(law_);
+  put_fits(state, state_);
   put(radial, 1, 0, owned_, law_, kernels::radial);
   put(shear, 1, 0, owned_, law_, kernels::shear);
-  std::fill(out_.begin(), out_.end(), 0.0);
+  clear_results(d_);
   kernels::PairView g = view(families_.interior(), plastic.chunks());
   g.place = reference_.data();
   g.u = u_.data();
   g.law = law_.data();
-  g.out[0] = out_.data();
+  set_results(g, out_);
   both(kernels::sweeps().pairs.forces, g);
-  take(out_, 0, d_, 0, local_, force);
+  take(out_[0], 0, d_, 0, local_, force);
 }
 
 void PairLoops::linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) {
-  for (Values* values : {&u_, &x_, &law_, &out_}) require(*values);
+  for (Values* values : {&u_, &x_, &law_}) require(*values);
+  if (!small_) put_fits(law.state.data(), state_);
+  if (!fitted_.empty())
+    for (Values& part : change_) require(part);
+  keep_fits(law);
   put(displacement, d_, 0, local_, u_, 0);
   put(law.mean.data(), 1, 0, owned_, u_, 3);
   put(law.radial.data(), 1, 0, owned_, law_, kernels::radial);
@@ -125,6 +198,7 @@ void PairLoops::linearise(const double* displacement, const TangentLaw& law, con
     flow_[slot_[i]] = law.flow[i];
     flows = flows || law.flow[i] != 0;
   }
+  for (const LocalIndex i : fitted_) dilatation_[slot_[i]] = 0;
   plastic_.clear();
   if (plastic.chunks()) plastic_.assign(plastic.chunks(), plastic.chunks() + owned_);
   put(law.flow.data(), 1, 0, owned_, law_, kernels::flow);
@@ -157,13 +231,13 @@ kernels::PairView PairLoops::product_view(Bonds bonds) {
   g.u = u_.data();
   g.x = x_.data();
   g.law = law_.data();
-  g.out[0] = out_.data();
+  set_results(g, out_);
   return g;
 }
 
 void PairLoops::put_direction(const double* x, LocalIndex first, LocalIndex last) { put(x, d_, first, last, x_, 0); }
 
-void PairLoops::clear_sums() { std::fill(out_.begin(), out_.end(), 0.0); }
+void PairLoops::clear_sums() { clear_results(product_results()); }
 
 void PairLoops::product_sums(Bonds bonds) { sweep(kernels::sweeps().pairs.product_sums, product_view(bonds)); }
 
@@ -171,35 +245,45 @@ void PairLoops::product_law() {
   for (int s = 0; s < owned_; ++s) {
     const std::size_t at = 4 * static_cast<std::size_t>(s);
     const double mean = u_[at + 3];
-    const double flow = flow_[s] * (out_[at + 1] - mean * out_[at]);
+    const double flow = flow_[s] * (out_[0][at + 1] - mean * out_[0][at]);
     law_[at + kernels::flow] = flow;
-    law_[at + kernels::along] = dilatation_[s] * out_[at] - mean * flow;
+    law_[at + kernels::along] = dilatation_[s] * out_[0][at] - mean * flow;
   }
-  std::fill(out_.begin(), out_.end(), 0.0);
+  for (std::size_t m = 0; m < fitted_.size(); ++m) {
+    const int s = slot_[fitted_[m]];
+    const std::size_t at = 4 * static_cast<std::size_t>(s);
+    const FitChange fit = change_of_fit(m, take_fit(m, kernels::first_fit_change), out_[0][at + 1], flow_[s]);
+    law_[at + kernels::flow] = fit.flow;
+    law_[at + kernels::along] = 0;
+    for (int k = 0; k < bonds::mandel_size(d_); ++k) change_[k / 4][at + k % 4] = fit.change[k];
+  }
+  clear_results(d_);
 }
 
 void PairLoops::product_forces(Bonds bonds) { sweep(kernels::sweeps().pairs.product_forces, product_view(bonds)); }
 
-void PairLoops::take_forces(LocalIndex first, LocalIndex last, double* y) const { take(out_, 0, d_, first, last, y); }
+void PairLoops::take_forces(LocalIndex first, LocalIndex last, double* y) const { take(out_[0], 0, d_, first, last, y); }
 
 void PairLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
-  const int results = d_ * (d_ + 1) / 2 + d_ + (plastic_.empty() ? 0 : d_);
-  Values out[3];
-  for (Values& values : out) require(values);
+  const int n = bonds::mandel_size(d_);
+  const int results = fitted_.empty() ? n + 2 * d_ : kernels::first_fit_gradient + n * d_;
+  std::array<Values, 8> out;
+  for (int part = 0; part < parts_of(results); ++part) require(out[part]);
   put(law.dilatation.data(), 1, 0, owned_, law_, kernels::along);
   put(law.flow.data(), 1, 0, owned_, law_, kernels::flow);
   kernels::PairView g = view(families_.interior(), plastic_.empty() ? nullptr : plastic_.data());
   g.place = reference_.data();
   g.u = u_.data();
   g.law = law_.data();
-  for (int k = 0; k < 3; ++k) g.out[k] = out[k].data();
+  set_results(g, out);
   both(kernels::sweeps().pairs.diagonal_blocks, g);
-  double entries[12];
+  double entries[kernels::most_results];
   for (int i = 0; i < local_; ++i) {
     const std::size_t at = 4 * static_cast<std::size_t>(slot_[i]);
-    for (int k = 0; k < 12; ++k) entries[k] = out[k / 4][at + k % 4];
-    finish_block(d_, i < owned_, entries, results, reference_[at + 3], i < owned_ ? law.dilatation[i] : 0,
-                 i < owned_ ? law.flow[i] : 0, blocks + static_cast<std::size_t>(i) * d_ * d_);
+    for (int k = 0; k < results; ++k) entries[k] = out[k / 4][at + k % 4];
+    const OwnTerms own = i < owned_ ? own_terms(law, i, fit_of(i), reference_[at + 3]) : OwnTerms();
+    finish_block(d_, entries, !plastic_.empty(), i < owned_ ? &own : nullptr,
+                 blocks + static_cast<std::size_t>(i) * d_ * d_);
   }
 }
 

@@ -10,7 +10,8 @@ class PairLoops : public FamilyLoops {
 
   void strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
                    StrainSums& sums) override;
-  void forces(const double* radial, const double* shear, const PlasticExtension& plastic, double* force) override;
+  void forces(const double* radial, const double* shear, const bonds::Mandel* state, const PlasticExtension& plastic,
+              double* force) override;
   void linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) override;
   void diagonal_blocks(const TangentLaw& law, double* blocks) override;
   void advance(const double* displacement, const double* mean, const double* flow, PlasticExtension& plastic) override;
@@ -27,10 +28,18 @@ class PairLoops : public FamilyLoops {
 
  private:
   using Values = std::vector<double>;  ///< [slots * 4]
+  static int parts_of(int results) { return (results + 3) / 4; }
+  int strain_results() const;
+  int product_results() const;
+  void clear_results(int count);
+  void put_fits(const bonds::Mandel* values, std::array<Values, 2>& to) const;
+  bonds::Mandel take_fit(std::size_t m, int first) const;
+  void set_fits(kernels::PairView& view) const;
   kernels::PairView view(const std::vector<std::int32_t>& slots, double* const* plastic) const;
   void sweep(kernels::PairSweeps::Sweep run, kernels::PairView view) const { run(view, d_, small_); }
   void both(kernels::PairSweeps::Sweep run, kernels::PairView view) const;
   void put(const double* values, int components, int first, int last, Values& to, int component) const;
+  static void set_results(kernels::PairView& view, std::array<Values, 8>& results);
   void take(const Values& from, int component, int components, int first, int last, double* values) const;
   kernels::PairView product_view(Bonds bonds);
   std::vector<char> flowing_slots(const Values& values, int component) const;
@@ -41,10 +50,13 @@ class PairLoops : public FamilyLoops {
   bool small_;
   bool plastic_body_;  ///< some material flows
   Values reference_;   ///< position, volume
-  Values u_, x_, law_, out_;
-  Values dilatation_, flow_;      ///< [owned] by slot: coefficients of the tangent's rank-one terms
-  std::vector<double*> plastic_;  ///< [owned] for the products; empty: nothing flows or has flowed
-  std::vector<double> none_;      ///< the plastic extension of pairs that flow for the first time
+  Values u_, x_, law_;
+  std::array<Values, 8> out_;               ///< results, four a slot each
+  std::array<Values, 2> state_, change_;    ///< of fits, four components each
+  std::vector<std::uint8_t> fitted_slots_;  ///< [owned] not zero where an end of a pair is fitted; empty: nowhere
+  Values dilatation_, flow_;                ///< [owned] by slot: coefficients of the tangent's rank-one terms
+  std::vector<double*> plastic_;            ///< [owned] for the products; empty: nothing flows or has flowed
+  std::vector<double> none_;                ///< the plastic extension of pairs that flow for the first time
 };
 
 }  // namespace perinox::mechanics

@@ -90,6 +90,23 @@ void Scene::complete() {
     if (!from_sums_) bond_history_.push_back(bond_history_.back() + values * families_.size[i]);
     largest_family_ = std::max(largest_family_, families_.size[i]);
   }
+  drop_fits();
+}
+
+void Scene::drop_fits() {
+  if (families_.fit.empty()) return;
+  std::vector<bonds::Moment> kept;
+  for (LocalIndex i = 0; i < body_.owned; ++i) {
+    if (families_.fit[i] < 0) continue;
+    if (!material(i).takes_fit()) {
+      families_.fit[i] = -1;
+      continue;
+    }
+    kept.push_back(families_.moments[static_cast<std::size_t>(families_.fit[i])]);
+    families_.fit[i] = static_cast<std::int32_t>(kept.size()) - 1;
+  }
+  families_.moments = std::move(kept);
+  if (families_.moments.empty()) families_.fit = {};
 }
 
 const bonds::Bonds& Scene::bonds() const {
@@ -153,7 +170,25 @@ materials::Family Scene::family(LocalIndex i) const {
   family.weight = all.weight.data() + first;
   family.weighted_volume = all.weighted_volume[i];
   family.continuum_weighted_volume = all.continuum_weighted_volume;
+  family.moment = families_.moment(i);
+  if (family.moment) family.basis = basis().data() + first * bonds::mandel_size(dimension());
   return family;
+}
+
+const std::vector<double>& Scene::basis() const {
+  if (!basis_.empty()) return basis_;
+  const bonds::Bonds& all = bonds();
+  const int n = bonds::mandel_size(dimension());
+  basis_.resize(static_cast<std::size_t>(all.count()) * n);
+  for (LocalIndex i = 0; i < body_.owned; ++i)
+    for (std::int64_t b = all.offset[i]; b < all.offset[i + 1]; ++b) {
+      double between[3] = {};
+      for (int c = 0; c < dimension(); ++c)
+        between[c] = (body_.position(all.neighbor[b])[c] - body_.position(i)[c]) / all.length[b];
+      const bonds::Mandel direction = bonds::mandel(dimension(), between, all.length[b]);
+      std::copy_n(direction.begin(), n, basis_.begin() + b * n);
+    }
+  return basis_;
 }
 
 bool Scene::symmetric() const {

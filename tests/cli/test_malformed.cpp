@@ -175,10 +175,13 @@ const Mistake mistakes_in_decks[] = {
      "that the two belong together"},
     {"poisson_ratio_of_one_half", &base_deck, "    shear_modulus: 80e3\n", "    poisson_ratio: 0.5\n",
      "deck.yaml:15:20: poisson_ratio is 0.5 but must be greater than -1 and at most 0.4999999"},
-    {"plasticity_in_two_dimensions", &flat_deck, "steel: {model: elastic,",
-     "steel: {model: elastic-plastic, yield_stress: {shear: 1},",
-     "deck.yaml:5:10: material steel is elastic-plastic, which this version has in 3-D only (in 2-D the plastic "
-     "flow out of the plane is missing); use dimension: 3 with a thin body, or model: elastic"},
+    {"continuum_yield_in_two_dimensions", &flat_deck, "steel: {model: elastic,",
+     "steel: {model: elastic-plastic, yield_stress: {shear: 1}, yield_scaling: continuum,",
+     "deck.yaml:5:76: the continuum yield value (Eq. 51) is that of a solid; in 2-D leave yield_scaling out"},
+    {"plasticity_without_dilatation_in_two_dimensions", &flat_deck, "steel: {model: elastic,",
+     "steel: {model: elastic-plastic, yield_stress: {shear: 1}, dilatation: false,",
+     "deck.yaml:5:73: plasticity in the plane needs the dilatation, which the strain out of the plane follows; leave "
+     "dilatation out, or use dimension: 3"},
     {"nothing_held", &base_deck, "displacement: {x: 0, y: 0, z: 0}}\n  - {set: head, displacement: {z: \"0.01*t\"}}",
      "force: {x: 1}}",
      "deck.yaml:21:3: nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with "

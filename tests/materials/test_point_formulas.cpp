@@ -123,6 +123,7 @@ TEST_P(PlasticPointFormulas, PlasticExtensionStaysDeviatoric) {
 
 TEST_P(PlasticPointFormulas, EndsOnTheYieldSurfaceAndStaysThere) {
   const YieldSurface& surface = row().surface[0];
+  if (surface.plane) GTEST_SKIP() << "test_plane_plasticity.cpp has its yield value";
   const double d = row().dimension, m = family_.weighted_volume;
   const Evaluation now = point_.evaluate(extension_);
 

@@ -30,10 +30,11 @@ Answers answers_of(const mechanics::Scene& scene, const LoadState& state, mechan
   return answers;
 }
 
-void expect_alike(const Answers& a, const Answers& b) {
+/// blocks: of a fitted family, what its rank-one terms put into its neighbours' blocks is an approximation.
+void expect_alike(const Answers& a, const Answers& b, double blocks = 1e-12) {
   EXPECT_LE(measured("layouts: force", relative_difference(a.force, b.force)), 1e-12);
   EXPECT_LE(measured("layouts: product", relative_difference(a.product, b.product)), 1e-12);
-  EXPECT_LE(measured("layouts: diagonal blocks", relative_difference(a.blocks, b.blocks)), 1e-12);
+  EXPECT_LE(measured("layouts: diagonal blocks", relative_difference(a.blocks, b.blocks)), blocks);
   EXPECT_EQ(a.trial.yielding, b.trial.yielding);
 }
 
@@ -43,7 +44,8 @@ TEST_P(Layouts, AnswerAlike) {
   const auto& [row_number, cracked, small] = GetParam();
   const MaterialRow row = material_table()[static_cast<std::size_t>(row_number)];
   for (deck::Influence influence : {deck::Influence::constant, deck::Influence::inverse, deck::Influence::polynomial})
-    for (deck::Quadrature quadrature : {deck::Quadrature::whole, deck::Quadrature::partial_volume})
+    for (deck::Quadrature quadrature :
+         {deck::Quadrature::whole, deck::Quadrature::partial_volume, deck::Quadrature::position_aware})
       for (const LoadState& state : load_states()) {
         if (state.needs_plasticity && row.surface.empty()) continue;
         SCOPED_TRACE(row.name + " " + state.name);
@@ -67,7 +69,10 @@ TEST_P(Layouts, AnswerAlike) {
         mechanics::StoredTangent stored(lattice);
         const Answers first = answers_of(lattice, state, on_lattice);
         expect_alike(first, answers_of(pairs, state, on_pairs));
-        expect_alike(first, answers_of(lattice, state, stored));
+        const bool fitted = !lattice.families().moments.empty();
+        EXPECT_EQ(fitted, quadrature == deck::Quadrature::position_aware && lattice.materials()[0]->takes_fit());
+        expect_alike(first, answers_of(lattice, state, stored),
+                     fitted ? 0.9 : 1e-12);  // 0.69: families of 7 to 32 bonds
       }
 }
 

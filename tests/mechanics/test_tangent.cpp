@@ -65,6 +65,8 @@ TEST_P(WholeTangent, IsSymmetric) {
 }
 
 TEST_P(WholeTangent, DiagonalBlocksAreItsDiagonalBlocks) {
+  if (!scene_.families().moments.empty())
+    GTEST_SKIP() << "a fitted family's share in its neighbours' blocks is an approximation: see TwoLevel.PositionAware";
   const int d = scene_.dimension();
   Vector blocks(scene_.owned_unknowns() * static_cast<std::size_t>(d), std::nan(""));
   tangent_.diagonal_blocks(blocks.data());
@@ -86,7 +88,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, WholeTangent,
                                             ::testing::Values(deck::Influence::constant, deck::Influence::inverse,
                                                               deck::Influence::polynomial),
                                             ::testing::Values(deck::Quadrature::whole, deck::Quadrature::partial_volume,
-                                                              deck::Quadrature::taper_inside)),
+                                                              deck::Quadrature::taper_inside,
+                                                              deck::Quadrature::position_aware)),
                          [](const auto& one) {
                            return std::get<0>(one.param).row.name + "_" + std::get<0>(one.param).state.name + "_" +
                                   name_of(std::get<1>(one.param)) + "_" + name_of(std::get<2>(one.param));

@@ -49,6 +49,10 @@ void compare(const deck::Deck& deck, const char* name) {
 
 TEST(Ranks, PlasticCubeMatrixFree) { compare(deck_of(pulled_cube(8, 0.08, 5)), "plastic cube, matrix-free"); }
 
+TEST(Ranks, PlasticCubePositionAware) {
+  compare(deck_of(pulled_cube(8, 0.08, 5), {"quadrature=position-aware"}), "plastic cube, position-aware");
+}
+
 TEST(Ranks, PlasticCubeAssembled) {
   compare(deck_of(pulled_cube(6, 0.06, 3), {"solver.tangent=assembled", "solver.linear.preconditioner=jacobi"}),
           "plastic cube, assembled");
@@ -59,6 +63,12 @@ TEST(Ranks, PlasticCubeDirect) {
 }
 
 TEST(Ranks, CrackedPlateInPlaneStress) { compare(deck_of(plane_stress_plate), "cracked plate"); }
+
+TEST(Ranks, PlasticPlateInPlaneStrain) {
+  deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/yielding_plate.yaml", app::full_schema());
+  deck.steps.count = 3;
+  compare(deck, "yielding plate");
+}
 
 TEST(Ranks, MoreRanksThanParticles) {
   const char* three = R"(

@@ -117,6 +117,16 @@ TEST(TwoLevel, NearlyIncompressible) {
   EXPECT_LE(counted("nu 0.499, 24", LinearProblem(held_cube(24, 0.499))), 108);  // 104
 }
 
+TEST(TwoLevel, PositionAware) {
+  // Fitted families' diagonal blocks are approximate: it must not show.
+  EXPECT_LE(counted("position-aware 16", LinearProblem(held_cube(16, 0.33, "quadrature: position-aware\n"))), 20);
+  EXPECT_LE(counted("position-aware 24", LinearProblem(held_cube(24, 0.33, "quadrature: position-aware\n"))), 20);
+  const std::string path = ::testing::TempDir() + "two_level_fitted_cloud.csv";
+  EXPECT_LE(counted("position-aware, jittered 16",
+                    LinearProblem(held_cube(16, 0.33, "quadrature: position-aware\n", jittered(16, path)))),
+            25);
+}
+
 TEST(TwoLevel, HeldAtFourPoints) {
   std::string yaml = held_cube(16);
   yaml.replace(yaml.find("foot: {where: \"z < 3\"}"), 22, "foot: {ids: [0, 15, 240, 3848]}");

@@ -80,6 +80,8 @@ inline const char* name_of(deck::Quadrature quadrature) {
       return "partial";
     case deck::Quadrature::taper_inside:
       return "taper";
+    case deck::Quadrature::position_aware:
+      return "aware";
   }
   return "";
 }

@@ -8,6 +8,7 @@
 
 #include "perinox/materials/elastic.hpp"
 #include "perinox/materials/elastic_plastic.hpp"
+#include "perinox/materials/plane_plastic.hpp"
 #include "support/families.hpp"
 
 namespace perinox::test {
@@ -25,6 +26,7 @@ struct YieldSurface {
   double hardening = 0;           ///< d tau_y/d gamma_p
   bool continuum = false;         ///< beta from the continuum weighted volume
   bool volume_preserving = true;  ///< e_p is deviatoric
+  bool plane = false;             ///< part of the yield value is out of the plane
 };
 
 struct MaterialRow {
@@ -50,6 +52,14 @@ inline std::vector<MaterialRow> material_table() {
                                                                          surface.continuum, surface.volume_preserving});
     };
   };
+  const auto plane = [](const YieldSurface& surface, deck::Dimension dimension) {
+    return [=] {
+      return std::make_unique<materials::PlanePlastic>(
+          ElasticPlastic::Parameters{bulk, shear, surface.stress, surface.hardening, false, true}, dimension);
+    };
+  };
+  const YieldSurface flat{yield_shear, 0, false, true, true};
+  const YieldSurface flat_hardening{yield_shear, hardening_shear, false, true, true};
   const YieldSurface perfect{yield_shear, 0, false, true};
   const YieldSurface hardening{yield_shear, hardening_shear, false, true};
   const YieldSurface continuum{yield_shear, 0, true, true};
@@ -65,6 +75,18 @@ inline std::vector<MaterialRow> material_table() {
       {"plastic_continuum", "elastic-plastic", 3, plastic(continuum), {continuum}},
       {"plastic_continuum_hardening", "elastic-plastic", 3, plastic(continuum_hardening), {continuum_hardening}},
       {"plastic_dilatation_off", "elastic-plastic", 3, plastic(bondwise), {bondwise}},
+      {"plane_strain_perfect", "elastic-plastic", 2, plane(flat, deck::Dimension::plane_strain), {flat}},
+      {"plane_strain_hardening",
+       "elastic-plastic",
+       2,
+       plane(flat_hardening, deck::Dimension::plane_strain),
+       {flat_hardening}},
+      {"plane_stress_perfect", "elastic-plastic", 2, plane(flat, deck::Dimension::plane_stress), {flat}},
+      {"plane_stress_hardening",
+       "elastic-plastic",
+       2,
+       plane(flat_hardening, deck::Dimension::plane_stress),
+       {flat_hardening}},
   };
 }
 

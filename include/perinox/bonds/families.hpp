@@ -1,11 +1,13 @@
 #pragma once
 /// The families of the owned particles: every particle i is bonded to its neighbours j within the horizon. How the
 /// bonds are stored is another matter: see bonds.hpp, lattice_families.hpp, pair_families.hpp.
+#include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "perinox/body/body.hpp"
 #include "perinox/bonds/cell_grid.hpp"
+#include "perinox/bonds/moment.hpp"
 #include "perinox/deck/deck.hpp"
 
 namespace perinox::bonds {
@@ -20,6 +22,12 @@ struct Families {
   double continuum_weighted_volume = 0;  ///< m of a full continuous neighbourhood with this influence function
   long long directed = 0;                ///< directed bonds on this rank
   long long cut = 0;                     ///< directed bonds cut by pre-cracks on this rank
+  std::vector<std::int32_t> fit;         ///< [owned] index into moments, -1: plain formulas; empty: nowhere a fit
+  std::vector<Moment> moments;           ///< of the owned particles whose strain is fitted
+
+  const Moment* moment(LocalIndex i) const {
+    return fit.empty() || fit[i] < 0 ? nullptr : &moments[static_cast<std::size_t>(fit[i])];
+  }
 };
 
 /// One bond of a family as it is found.
@@ -45,6 +53,22 @@ double continuum_weighted_volume(deck::Influence influence, double horizon, int 
 /// horizon; taper-inside s up to the horizon; partial-volume s, up to half a spacing beyond the horizon. A neighbour at
 /// exactly the horizon is in (relative tolerance 1e-10). spacing is the mean of both particles' V^(1/d).
 double volume_share(deck::Quadrature quadrature, double length, double horizon, double spacing);
+
+/// Factor 1 + c (sum_k n_k^4 - 3/(d+2)) of a bond's influence that makes the fourth moment of a whole lattice family
+/// isotropic, and with it the plain formulas exact under uniform strain. Holds for any cubic lattice and influence; 1
+/// where it would leave a bond without weight (short horizons): then the fit of the strain has to do it all.
+class CubicFactor {
+ public:
+  CubicFactor() = default;  ///< 1
+  /// Adds a bond of the whole family: vector in spacings, moment omega xi^2 weight.
+  void add(int dimension, const double* bond, double moment);
+  void finish();
+  double operator()(int dimension, const double* bond) const;
+
+ private:
+  static double anisotropy(int dimension, const double* bond);
+  double first_ = 0, second_ = 0, least_ = 0, most_ = 0, c_ = 0;
+};
 
 /// Finds the family of every owned particle, in the order given ([owned], each once), and hands it to the receiver.
 /// Bonds without influence or without a share of volume are left out. Cracks cut by the rule of CrackSurface; what they

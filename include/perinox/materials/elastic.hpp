@@ -11,6 +11,7 @@ class Elastic : public Material {
   Elastic(double bulk, double shear, bool with_dilatation);
 
   using Material::modulus;
+  bool takes_fit() const override { return with_dilatation_; }
   PointState state(const FamilySums& sums, const double* committed, double* trial) const override;
   PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const override;
   ElasticModuli elastic_moduli(int dimension) const override;

@@ -5,7 +5,7 @@
 namespace perinox::materials {
 
 /// Ordinary state-based plasticity, Mitchell 2011 Eq. 27-45, 51-57, 63-65 with its errata mended, for every influence
-/// function (1/omega-weighted norm), perfect or with linear isotropic hardening; 3-D.
+/// function (1/omega-weighted norm), perfect or with linear isotropic hardening; 3-D. PlanePlastic is its 2-D form.
 /// History: e_p a bond; plastic_multiplier lambda and equivalent_plastic_strain (tension measure) a point.
 class ElasticPlastic : public Material {
  public:
@@ -21,6 +21,7 @@ class ElasticPlastic : public Material {
 
   HistoryLayout history() const override;
   using Material::modulus;
+  bool takes_fit() const override { return parameters_.with_dilatation; }
   PointState state(const FamilySums& sums, const double* committed, double* trial) const override;
   PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const override;
   ElasticModuli elastic_moduli(int dimension) const override;

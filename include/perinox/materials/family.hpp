@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "perinox/materials/strain_fit.hpp"
+
 namespace perinox::materials {
 
 /// One point's bonds as the point formulas see them. Arrays have `count` entries and are not owned.
@@ -14,6 +16,9 @@ struct Family {
   const double* weight = nullptr;        ///< neighbour's volume times its quadrature share, volume
   double weighted_volume = 0;            ///< m = sum omega xi^2 weight (Eq. 8)
   double continuum_weighted_volume = 0;  ///< m of a full continuous neighbourhood
+  /// Of a point whose strain is fitted; null: the plain formulas.
+  const bonds::Moment* moment = nullptr;
+  const double* basis = nullptr;  ///< [count * mandel_size] xi N, length; with a moment only
 };
 
 /// All that an ordinary material's point formulas need of a family: three sums over its bonds, a . b = sum a b weight.
@@ -25,9 +30,11 @@ struct FamilySums {
   double weighted_volume = 0;
   double continuum_weighted_volume = 0;
   int dimension = 3;
+  bool fitted = false;  ///< extension is m theta/d and square what StrainFit has, which needs no mean
 
-  /// sum omega (e - e_p - mean xi)^2 weight.
+  /// sum omega (e - e_p - mean xi)^2 weight, or what stands for it where the strain is fitted.
   double square_about(double mean) const {
+    if (fitted) return square;
     const double away = mean - shift;
     const double value =
         square - 2 * away * (extension - plastic - shift * weighted_volume) + away * away * weighted_volume;
@@ -67,26 +74,36 @@ struct PointState {
   PointResponse response;
   double radial = 0;
   double shear = 0;
-  double mean = 0;  ///< theta/d
-  double flow = 0;  ///< e_p grows by flow (e - mean xi - e_p) when the state is committed
+  double pressure = 0;  ///< kappa theta: takes the place of `radial` where the strain is fitted
+  double mean = 0;      ///< theta/d
+  double flow = 0;      ///< e_p grows by flow (e - mean xi - e_p) when the state is committed
 };
 
+/// H of a fitted point: its force state is omega (shear (e - e_p) + xi N . H).
+Mandel force_of_fit(const bonds::Moment& moment, const StrainFit& fit, const PointState& point);
+
 /// Its linearisation, dt<xi> = omega shear de + radial (omega xi)(omega xi . de) + flow q (q . de),
-/// q = omega (e - mean xi - e_p).
+/// q = omega (e - mean xi - e_p). Where the strain is fitted, strain_modulus(bulk, shear) takes the place of `radial`,
+/// and q is omega (e - e_p + xi N . (g + flow_pressure M^-1 I)).
 struct PointModulus {
   double shear = 0;
   double radial = 0;
+  double bulk = 0;  ///< kappa
   double flow = 0;
+  double flow_pressure = 0;  ///< share of theta's derivative in q: mean is theta/d - d flow_pressure/m
   double mean = 0;
   bool diagonal_only = false;  ///< of the last term only the diagonal counts, as the source paper prints it
 };
+
+/// What takes the place of -mean in q of a fitted point.
+Mandel slope_of_fit(const bonds::Moment& moment, const StrainFit& fit, const PointModulus& point);
 
 /// Linearisation of one point's scalar force state,
 ///     dt<zeta> = D<zeta> de<zeta> + sum_r c_r p_r<zeta> (q_r . de),     a . b = sum a b weight,
 /// filled by a material, read by the loops. All that the loops know of a material (formulation 3).
 class ModulusState {
  public:
-  static constexpr int max_rank = 4;
+  static constexpr int max_rank = 8;
   /// A rank-one term. The radial one has p = q = omega xi and needs no arrays.
   struct Term {
     double coefficient = 0;

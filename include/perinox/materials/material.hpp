@@ -27,6 +27,8 @@ class Material {
 
   virtual HistoryLayout history() const { return {}; }
   virtual bool from_sums() const { return true; }
+  /// False where the energy is not one of dilatation and deviatoric extension: its strain is never fitted.
+  virtual bool takes_fit() const { return from_sums(); }
 
   /// The point's answer to the sums at a state under trial. Reads the committed point history, writes every entry of
   /// the trial one (both [HistoryLayout::point.size()]).

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -11,6 +12,7 @@ namespace perinox::mechanics {
 /// Sums over the families, one value an owned particle: what materials::FamilySums holds.
 struct StrainSums {
   std::vector<double> extension, plastic, square;
+  std::vector<bonds::Mandel> fit, plastic_fit;  ///< [moments] sum omega xi N e weight, and of e_p
 };
 
 /// Coefficients of every owned particle's tangent: see materials::PointState and PointModulus. [owned] each.
@@ -19,6 +21,11 @@ struct TangentLaw {
   std::vector<double> mean;           ///< theta/d
   std::vector<double> dilatation;     ///< coefficient of (omega xi)(omega xi . de)
   std::vector<double> flow;           ///< coefficient of q (q . de)
+  // [moments], in the order of Families::moments. Fitted particles' `radial` is zero, and their `dilatation` that of an
+  // isotropic fit, for their neighbours' diagonal blocks.
+  std::vector<bonds::Mandel> state;             ///< t = omega (shear (e - e_p) + xi N . H)
+  std::vector<bonds::Mandel> slope;             ///< q = omega (e - e_p + xi N . g)
+  std::vector<std::array<double, 36>> modulus;  ///< A of materials::strain_modulus
 };
 
 /// Bytes on this rank of the arrays that a run of a scene comes to hold in its loops.
@@ -44,7 +51,9 @@ class FamilyLoops {
                            StrainSums& sums) = 0;
   /// Internal force at the displacement of the last strain_sums: [local * dimension], what this rank's families exert
   /// on owned particles and on ghosts.
-  virtual void forces(const double* radial, const double* shear, const PlasticExtension& plastic, double* force) = 0;
+  /// radial, shear: [owned]; state: [moments] as in TangentLaw.
+  virtual void forces(const double* radial, const double* shear, const bonds::Mandel* state,
+                      const PlasticExtension& plastic, double* force) = 0;
 
   /// Keeps the state that the next products are taken at. displacement: [local * dimension], ghosts up to date. The
   /// plastic extension is read by every product: it has to stay.
@@ -78,8 +87,23 @@ class FamilyLoops {
   virtual void product_forces(Bonds bonds) = 0;
   virtual void take_forces(LocalIndex first, LocalIndex last, double* y) const = 0;
 
+  /// What a product makes of the sums of a fitted particle: [mandel_size], and its second sum.
+  struct FitChange {
+    bonds::Mandel change{};
+    double flow = 0;
+  };
+  FitChange change_of_fit(std::size_t m, const bonds::Mandel& sums, double second, double flow) const;
+  /// Keeps what products and diagonal blocks need of the law.
+  void keep_fits(const TangentLaw& law);
+
   body::Halo halo_;
   int d_, owned_, local_;
+  int fit_of(LocalIndex i) const { return fit_of_.empty() ? -1 : fit_of_[i]; }
+
+  std::vector<LocalIndex> fitted_;    ///< [moments] the particle
+  std::vector<std::int32_t> fit_of_;  ///< Families::fit
+  std::vector<bonds::Mandel> slope_;
+  std::vector<std::array<double, 36>> modulus_;
   std::vector<double> ghosts_;  ///< [local * d] of which only ghosts' entries are used
 };
 

@@ -74,6 +74,8 @@ class Scene {
 
  private:
   void complete();
+  void drop_fits();
+  const std::vector<double>& basis() const;
 
   body::Body body_;
   bonds::Families families_;
@@ -87,6 +89,7 @@ class Scene {
   bool small_strain_ = false;
   int largest_family_ = 0;
   mutable std::unique_ptr<bonds::Bonds> bonds_;
+  mutable std::vector<double> basis_;  ///< [bonds * mandel_size] xi N; made with the first family that needs it
   mutable std::unique_ptr<Evaluation> evaluation_;
 };
 

@@ -38,6 +38,18 @@ class LatticeAccess {
   /// Weight of the bond in the sums of the near end, of the far end.
   PERINOX_INLINE double influence_near() const { return o_.influence; }
   PERINOX_INLINE double influence_far() const { return o_.influence; }
+  template <int d>
+  PERINOX_INLINE void basis(Vector* xi_n) const {
+    for (int k = 0; k < d * (d + 1) / 2; ++k) xi_n[k] = all(o_.basis[k]);
+  }
+  template <int d>
+  PERINOX_INLINE void state(Vector* to) const {
+    for (int k = 0; k < d * (d + 1) / 2; ++k) to[k] = load(g_.state[k] + there_);
+  }
+  template <int d>
+  PERINOX_INLINE void change(Vector* to) const {
+    for (int k = 0; k < d * (d + 1) / 2; ++k) to[k] = load(g_.change[k] + there_);
+  }
   PERINOX_INLINE double volume_near() const { return g_.volume; }
   PERINOX_INLINE double volume_far() const { return g_.volume; }
 
@@ -68,6 +80,14 @@ class LatticeOwn {
   PERINOX_INLINE Vector x(int c) const { return load(g_.x[c] + here_); }
   PERINOX_INLINE Vector law(int k) const { return load(g_.law[k] + here_); }
   PERINOX_INLINE Vector mean() const { return load(g_.mean + here_); }
+  template <int d>
+  PERINOX_INLINE void state(Vector* to) const {
+    for (int k = 0; k < d * (d + 1) / 2; ++k) to[k] = load(g_.state[k] + here_);
+  }
+  template <int d>
+  PERINOX_INLINE void change(Vector* to) const {
+    for (int k = 0; k < d * (d + 1) / 2; ++k) to[k] = load(g_.change[k] + here_);
+  }
   template <int count, int first = 0>
   PERINOX_INLINE void add(const Vector* values) const {
     for (int k = 0; k < count; ++k) {
@@ -98,16 +118,19 @@ PERINOX_INLINE void visit_cells(const LatticeView& g, const Block& block, double
   sweep.finish(own);
 }
 
-/// All blocks; those where something has flowed carry the plastic terms.
-template <class Elastic, class Plastic>
+/// All blocks; those where something has flowed carry the plastic terms, those with fitted ends the fit's.
+template <class Plain, class Flowed, class Fitted, class FittedFlowed>
 void run(const LatticeView& g) {
   for (std::int64_t b = 0; b < g.block_count; ++b) {
     double* e_p = g.plastic ? g.plastic[b] : nullptr;
+    const bool fitted = g.fitted && g.fitted[b];
     for (int lane = 0; lane < group; lane += width) {
+      double* from = e_p ? e_p + lane : nullptr;
       if (e_p)
-        visit_cells<Plastic>(g, g.blocks[b], e_p + lane, lane);
+        fitted ? visit_cells<FittedFlowed>(g, g.blocks[b], from, lane)
+               : visit_cells<Flowed>(g, g.blocks[b], from, lane);
       else
-        visit_cells<Elastic>(g, g.blocks[b], nullptr, lane);
+        fitted ? visit_cells<Fitted>(g, g.blocks[b], from, lane) : visit_cells<Plain>(g, g.blocks[b], from, lane);
     }
   }
 }

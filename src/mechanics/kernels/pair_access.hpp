@@ -36,6 +36,26 @@ class PairAccess {
   PERINOX_INLINE Vector pair() const { return weight_ * volume_near() * volume_far(); }
   PERINOX_INLINE Vector influence_near() const { return weight_ * volume_far(); }
   PERINOX_INLINE Vector influence_far() const { return weight_ * volume_near(); }
+  template <int d>
+  PERINOX_INLINE void basis(Vector* xi_n) const {
+    constexpr double root2 = 1.4142135623730951;
+    Vector bond[d];
+    for (int c = 0; c < d; ++c) bond[c] = place_[c] - g_.place[4 * near_ + c];
+    const Vector inverse = inverse_length();
+    for (int c = 0; c < d; ++c) xi_n[c] = bond[c] * bond[c] * inverse;
+    if (d == 2)
+      xi_n[2] = root2 * bond[0] * bond[1] * inverse;
+    else
+      for (int c = 0; c < d; ++c) xi_n[d + c] = root2 * bond[(c + 1) % d] * bond[(c + 2) % d] * inverse;
+  }
+  template <int d>
+  PERINOX_INLINE void state(Vector* to) const {
+    for (int part = 0; 4 * part < d * (d + 1) / 2; ++part) gather(g_.state[part], far_, to + 4 * part);
+  }
+  template <int d>
+  PERINOX_INLINE void change(Vector* to) const {
+    for (int part = 0; 4 * part < d * (d + 1) / 2; ++part) gather(g_.change[part], far_, to + 4 * part);
+  }
   PERINOX_INLINE double volume_near() const { return g_.place[4 * near_ + 3]; }
   PERINOX_INLINE Vector volume_far() const { return place_[3]; }
 
@@ -65,6 +85,14 @@ class PairOwn {
   PERINOX_INLINE Vector x(int c) const { return all(g_.x[4 * near_ + c]); }
   PERINOX_INLINE Vector law(int k) const { return all(g_.law[4 * near_ + k]); }
   PERINOX_INLINE Vector mean() const { return all(g_.u[4 * near_ + 3]); }
+  template <int d>
+  PERINOX_INLINE void state(Vector* to) const {
+    for (int k = 0; k < d * (d + 1) / 2; ++k) to[k] = all(g_.state[k / 4][4 * near_ + k % 4]);
+  }
+  template <int d>
+  PERINOX_INLINE void change(Vector* to) const {
+    for (int k = 0; k < d * (d + 1) / 2; ++k) to[k] = all(g_.change[k / 4][4 * near_ + k % 4]);
+  }
   template <int count, int first = 0>
   PERINOX_INLINE void add(const Vector* values) const {
     for (int k = 0; k < count; ++k) g_.out[(first + k) / 4][4 * near_ + (first + k) % 4] += total(values[k]);
@@ -87,15 +115,16 @@ PERINOX_INLINE void visit_particle(const PairView& g, int near, double* e_p) {
   sweep.finish(own);
 }
 
-template <class Elastic, class Plastic>
+template <class Plain, class Flowed, class Fitted, class FittedFlowed>
 void run(const PairView& g) {
   for (std::int64_t s = 0; s < g.slot_count; ++s) {
     const int near = g.slots[s];
     double* e_p = g.plastic ? g.plastic[near] : nullptr;
+    const bool fitted = g.fitted && g.fitted[near];
     if (e_p)
-      visit_particle<Plastic>(g, near, e_p);
+      fitted ? visit_particle<FittedFlowed>(g, near, e_p) : visit_particle<Flowed>(g, near, e_p);
     else
-      visit_particle<Elastic>(g, near, nullptr);
+      fitted ? visit_particle<Fitted>(g, near, nullptr) : visit_particle<Plain>(g, near, nullptr);
   }
 }
 

@@ -56,9 +56,26 @@ PERINOX_INLINE Vector rounded_extension(const Pair<d>& p, const Access& far) {
   return small ? dot<d>(p.bond, p.relative) * p.inverse : p.length - far.length();
 }
 
-template <int d, bool small, bool plastic>
+/// Components of a symmetric tensor.
+template <int d>
+constexpr int components = d*(d + 1) / 2;
+
+template <int d>
+PERINOX_INLINE Vector contract(const Vector* a, const Vector* b) {
+  Vector sum = a[0] * b[0];
+  for (int k = 1; k < components<d>; ++k) sum += a[k] * b[k];
+  return sum;
+}
+
+// plastic: something has flowed; fitted: an end's strain is fitted. Both for a whole block or near end, whose other
+// ends' values are then worthless or zero.
+
+template <int d, bool small, bool plastic, bool fitted>
 struct StrainSums {
-  Vector u[d], mean, sum[3] = {};
+  static constexpr int results = !fitted   ? (plastic ? 3 : 2)
+                                 : plastic ? first_plastic_fit + components<d>
+                                           : first_fit + components<d>;
+  Vector u[d], mean, sum[results] = {};
 
   template <class Own>
   PERINOX_INLINE explicit StrainSums(const Own& own) : mean(own.mean()) {
@@ -75,32 +92,44 @@ struct StrainSums {
     const Vector near_weight = far.present(far.influence_near() + Vector{});
     const Vector far_weight = far.present(far.influence_far() + Vector{});
     Vector near = e - mean * far.length(), away = e - far.mean() * far.length();
-    Vector to_far[3];
+    Vector to_far[results] = {}, xi_n[8];
+    if (fitted) far.template basis<d>(xi_n);
     sum[0] += near_weight * far.length() * e;
     to_far[0] = far_weight * far.length() * e;
+    if (fitted)
+      for (int k = 0; k < components<d>; ++k) {
+        sum[first_fit + k] += near_weight * e * xi_n[k];
+        to_far[first_fit + k] = far_weight * e * xi_n[k];
+      }
     if (plastic) {
       const Vector near_plastic = load(far.plastic_near()), far_plastic = load(far.plastic_far());
       sum[2] += near_weight * far.length() * near_plastic;
       to_far[2] = far_weight * far.length() * far_plastic;
+      if (fitted)
+        for (int k = 0; k < components<d>; ++k) {
+          sum[first_plastic_fit + k] += near_weight * near_plastic * xi_n[k];
+          to_far[first_plastic_fit + k] = far_weight * far_plastic * xi_n[k];
+        }
       near -= near_plastic;
       away -= far_plastic;
     }
     sum[1] += near_weight * near * near;
     to_far[1] = far_weight * away * away;
-    far.template add_far<plastic ? 3 : 2>(to_far);
+    far.template add_far<results>(to_far);
   }
   template <class Own>
   PERINOX_INLINE void finish(const Own& own) const {
-    own.template add<plastic ? 3 : 2>(sum);
+    own.template add<results>(sum);
   }
 };
 
-template <int d, bool small, bool plastic>
+template <int d, bool small, bool plastic, bool fitted>
 struct Forces {
-  Vector u[d], radial, shear, force[d] = {};
+  Vector u[d], radial, shear, state[8], force[d] = {};
 
   template <class Own>
   PERINOX_INLINE explicit Forces(const Own& own) : radial(own.law(Law::radial)), shear(own.law(Law::shear)) {
+    if (fitted) own.template state<d>(state);
     for (int c = 0; c < d; ++c) u[c] = own.u(c);
   }
   template <class Access>
@@ -109,6 +138,13 @@ struct Forces {
     const Vector far_shear = far.law(Law::shear);
     Vector t = (radial + far.law(Law::radial)) * far.length() + (shear + far_shear) * extension<d, small>(p, far);
     if (plastic) t -= shear * load(far.plastic_near()) + far_shear * load(far.plastic_far());
+    if (fitted) {
+      Vector xi_n[8], both[8];
+      far.template basis<d>(xi_n);
+      far.template state<d>(both);
+      for (int k = 0; k < components<d>; ++k) both[k] += state[k];
+      t += contract<d>(both, xi_n);
+    }
     t *= far.pair() * p.inverse;
     Vector to_far[d];
     for (int c = 0; c < d; ++c) {
@@ -124,10 +160,11 @@ struct Forces {
   }
 };
 
-template <int d, bool small, bool plastic>
+template <int d, bool small, bool plastic, bool fitted>
 struct ProductSums {
   static constexpr bool moved = !small || plastic;
-  Vector u[d], x[d], sum[2] = {};
+  static constexpr int results = fitted ? first_fit_change + components<d> : plastic ? 2 : 1;
+  Vector u[d], x[d], sum[results] = {};
 
   template <class Own>
   PERINOX_INLINE explicit ProductSums(const Own& own) {
@@ -140,33 +177,43 @@ struct ProductSums {
     for (int c = 0; c < d; ++c) change += p.bond[c] * (far.x(c) - x[c]);
     change *= p.inverse;
     const Vector near_weight = far.influence_near() * change, far_weight = far.influence_far() * change;
-    Vector to_far[2];
+    Vector to_far[results] = {};
     sum[0] += near_weight * far.length();
     to_far[0] = far_weight * far.length();
+    if (fitted) {
+      Vector xi_n[8];
+      far.template basis<d>(xi_n);
+      for (int k = 0; k < components<d>; ++k) {
+        sum[first_fit_change + k] += near_weight * xi_n[k];
+        to_far[first_fit_change + k] = far_weight * xi_n[k];
+      }
+    }
     if (plastic) {
       const Vector e = rounded_extension<d, small>(p, far);
       sum[1] += near_weight * (e - load(far.plastic_near()));
       to_far[1] = far_weight * (e - load(far.plastic_far()));
     }
-    far.template add_far<plastic ? 2 : 1>(to_far);
+    far.template add_far<results>(to_far);
   }
   template <class Own>
   PERINOX_INLINE void finish(const Own& own) const {
-    own.template add<plastic ? 2 : 1>(sum);
+    own.template add<results>(sum);
   }
 };
 
 /// dT = dt M + (t/|Y|)(dU - M de).
-template <int d, bool small, bool plastic>
+template <int d, bool small, bool plastic, bool fitted>
 struct ProductForces {
   static constexpr bool moved = !small || plastic;
-  Vector u[d], x[d], radial, shear, along, flow = {}, pulled[d] = {};
+  Vector u[d], x[d], radial, shear, along, flow = {}, state[8], changed[8], pulled[d] = {};
 
   template <class Own>
   PERINOX_INLINE explicit ProductForces(const Own& own)
       : radial(small ? Vector{} : own.law(Law::radial)), shear(own.law(Law::shear)), along(own.law(Law::along)) {
     for (int c = 0; c < d; ++c) u[c] = moved ? own.u(c) : Vector{}, x[c] = own.x(c);
     if (plastic) flow = own.law(Law::flow);
+    if (fitted && !small) own.template state<d>(state);
+    if (fitted) own.template change<d>(changed);
   }
   template <class Access>
   PERINOX_INLINE void visit(const Access& far) {
@@ -189,6 +236,18 @@ struct ProductForces {
         stiff += flow * (e - near_plastic) + far.law(Law::flow) * (e - far_plastic);
       }
     }
+    if (fitted) {
+      Vector xi_n[8], ends[8];
+      far.template basis<d>(xi_n);
+      far.template change<d>(ends);
+      for (int k = 0; k < components<d>; ++k) ends[k] += changed[k];
+      stiff += contract<d>(ends, xi_n);
+      if (!small) {
+        far.template state<d>(ends);
+        for (int k = 0; k < components<d>; ++k) ends[k] += state[k];
+        t += contract<d>(ends, xi_n);
+      }
+    }
     const Vector weight = far.pair() * p.inverse;
     t *= weight;
     const Vector straight = stiff * weight - t * change * p.inverse;
@@ -206,12 +265,13 @@ struct ProductForces {
   }
 };
 
-template <int d, bool small, bool plastic>
+/// A fitted end's rank-one terms in its neighbours' blocks are those of an isotropic fit: an approximation.
+template <int d, bool small, bool plastic, bool fitted>
 struct DiagonalBlocks {
   static constexpr bool moved = !small || plastic;
   static constexpr int entries = d * (d + 1) / 2;
-  static constexpr int results = entries + d + (plastic ? d : 0);
-  Vector u[d], radial, shear, mean, along, flow, result[12] = {};
+  static constexpr int results = fitted ? first_fit_gradient + components<d> * d : entries + d + (plastic ? d : 0);
+  Vector u[d], radial, shear, mean, along, flow, state[8], result[results] = {};
 
   template <class Own>
   PERINOX_INLINE explicit DiagonalBlocks(const Own& own)
@@ -221,6 +281,7 @@ struct DiagonalBlocks {
         along(own.law(Law::along)),
         flow(plastic ? own.law(Law::flow) : Vector{}) {
     for (int c = 0; c < d; ++c) u[c] = moved ? own.u(c) : Vector{};
+    if (fitted && !small) own.template state<d>(state);
   }
   template <class Access>
   PERINOX_INLINE void visit(const Access& far) {
@@ -231,8 +292,18 @@ struct DiagonalBlocks {
     const Vector e = moved ? rounded_extension<d, small>(p, far) : Vector{};
     Vector near = e, away = e, t = {};
     if (plastic) near -= load(far.plastic_near()), away -= load(far.plastic_far());
-    if (!small)
-      t = ((radial + far.law(Law::radial)) * far.length() + shear * near + far_shear * away) * far.pair() * p.inverse;
+    Vector xi_n[8];
+    if (fitted) far.template basis<d>(xi_n);
+    if (!small) {
+      t = (radial + far.law(Law::radial)) * far.length() + shear * near + far_shear * away;
+      if (fitted) {
+        Vector ends[8];
+        far.template state<d>(ends);
+        for (int k = 0; k < components<d>; ++k) ends[k] += state[k];
+        t += contract<d>(ends, xi_n);
+      }
+      t *= far.pair() * p.inverse;
+    }
     // An end's own entry in the other end's rank-one terms.
     const Vector near_state = far.influence_near() * far.length() + Vector{};
     const Vector far_state = far.influence_far() * far.length() + Vector{};
@@ -245,7 +316,7 @@ struct DiagonalBlocks {
       to_far += flow * near * near * far.volume_near();
       to_near += far.law(Law::flow) * away * away * far.volume_far();
     }
-    Vector other[12] = {};
+    Vector other[results] = {};
     int k = 0;
     for (int c = 0; c < d; ++c, ++k) {
       result[k] += far.present(to_near * m[c] * m[c] + t);
@@ -265,6 +336,15 @@ struct DiagonalBlocks {
         result[k] += near * m[c];
         other[k] = -away * m[c];
       }
+    if (fitted) {
+      const Vector near_weight = far.influence_near() + Vector{}, far_weight = far.influence_far() + Vector{};
+      k = first_fit_gradient;
+      for (int b = 0; b < components<d>; ++b)
+        for (int c = 0; c < d; ++c, ++k) {
+          result[k] += near_weight * xi_n[b] * m[c];
+          other[k] = -far_weight * xi_n[b] * m[c];
+        }
+    }
     far.template add_far<results>(other);
   }
   template <class Own>
@@ -273,7 +353,7 @@ struct DiagonalBlocks {
   }
 };
 
-template <int d, bool small, bool plastic>
+template <int d, bool small, bool plastic, bool fitted>
 struct Advance {
   Vector u[d], mean, flow;
 
@@ -294,12 +374,18 @@ struct Advance {
   PERINOX_INLINE void finish(const Own&) const {}
 };
 
-template <template <int, bool, bool> class Sweep, class View>
+template <template <int, bool, bool, bool> class Sweep, int d, bool small, class View>
+void run_with(const View& g) {
+  run<Sweep<d, small, false, false>, Sweep<d, small, true, false>, Sweep<d, small, false, true>,
+      Sweep<d, small, true, true>>(g);
+}
+
+template <template <int, bool, bool, bool> class Sweep, class View>
 void choose(const View& g, int dimension, bool small) {
   if (dimension == 3)
-    small ? run<Sweep<3, true, false>, Sweep<3, true, true>>(g) : run<Sweep<3, false, false>, Sweep<3, false, true>>(g);
+    small ? run_with<Sweep, 3, true>(g) : run_with<Sweep, 3, false>(g);
   else
-    small ? run<Sweep<2, true, false>, Sweep<2, true, true>>(g) : run<Sweep<2, false, false>, Sweep<2, false, true>>(g);
+    small ? run_with<Sweep, 2, true>(g) : run_with<Sweep, 2, false>(g);
 }
 
 template <class View>

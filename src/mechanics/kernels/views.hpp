@@ -8,15 +8,21 @@ namespace perinox::mechanics::kernels {
 /// Cells of a block of lattice cells, pairs of a group: the lanes of the widest vector.
 constexpr int group = 8;
 
+/// Components of the sums that a fit of the strain takes, in 3-D; 3 in 2-D.
+constexpr int fit_size = 6;
+/// Results of a sweep at most: diagonal blocks with a fit and plastic flow.
+constexpr int most_results = 30;
+
 /// One offset of the half stencil. It stands for the bond to the cell `cell` further on and for the reverse bond.
 struct Offset {
   std::int64_t cell = 0;
-  double bond[3] = {};   ///< reference bond vector, length
-  double length = 0;     ///< xi
-  double inverse = 0;    ///< 1/xi
-  double pair = 0;       ///< omega s V^2, s the quadrature's share of the volume
-  double radial = 0;     ///< omega xi s V
-  double influence = 0;  ///< omega s V
+  double bond[3] = {};          ///< reference bond vector, length
+  double length = 0;            ///< xi
+  double inverse = 0;           ///< 1/xi
+  double pair = 0;              ///< omega s V^2, s the quadrature's share of the volume
+  double radial = 0;            ///< omega xi s V
+  double influence = 0;         ///< omega s V
+  double basis[fit_size] = {};  ///< xi N, N = n (x) n in Mandel's notation
 };
 
 /// Eight cells of a row with at least one bond of the half stencil.
@@ -35,13 +41,19 @@ struct LatticeView {
   /// [blocks] plastic extension, [offsets][near end's family, far end's][group]; null where neither end has flowed yet.
   /// Null as a whole: nothing has flowed anywhere.
   double* const* plastic = nullptr;
+  /// [blocks] not zero where an end of some bond has its strain fitted; null: nowhere.
+  const std::uint8_t* fitted = nullptr;
   double volume = 0;
 
   const double* u[3] = {};       ///< displacement
   const double* x[3] = {};       ///< what a product is taken with
   const double* law[4] = {};     ///< Law below
   const double* mean = nullptr;  ///< theta/d, of the shift or of the state
-  double* out[12] = {};
+  /// Of fitted ends, zero elsewhere: H of the force state, t = omega (shear (e - e_p) + xi N . H), and what a product
+  /// changes it by.
+  const double* state[fit_size] = {};
+  const double* change[fit_size] = {};
+  double* out[most_results] = {};
 };
 
 /// Bonds of any body, as pairs kept with their near end. Point values are four doubles a slot.
@@ -54,11 +66,14 @@ struct PairView {
   const double* weight = nullptr;       ///< [pairs] omega s; null: 1
   double* const* plastic = nullptr;     ///< [slots] plastic extension, [pairs/group][near, far][group]; null as above
 
+  const std::uint8_t* fitted = nullptr;  ///< [slots] as above
   const double* place = nullptr;  ///< reference position, then volume; for the tangent of finite deformation: position
   const double* u = nullptr;      ///< displacement, then mean
   const double* x = nullptr;
   const double* law = nullptr;
-  double* out[3] = {};  ///< results 0-3, 4-7, 8-11
+  const double* state[2] = {};   ///< H as above, components 0-3 and 4-7
+  const double* change[2] = {};  ///< the same
+  double* out[8] = {};           ///< results 0-3, 4-7 and so on
 };
 
 /// Point values of the law, t = omega (radial xi + shear (e - e_p)).
@@ -70,19 +85,24 @@ enum Law {
 };
 
 /// The sweeps of one instruction set. `small`: bonds keep their reference direction.
+/// Numbers of results.
+constexpr int first_fit = 3, first_plastic_fit = first_fit + fit_size, first_fit_change = 2, first_fit_gradient = 12;
+
 template <class View>
 struct Sweeps {
   using Sweep = void (*)(const View&, int dimension, bool small);
-  /// out: (omega xi) . e; sum omega (e - e_p - mean xi)^2 weight; (omega xi) . e_p.
+  /// out: (omega xi) . e; sum omega (e - e_p - mean xi)^2 weight; (omega xi) . e_p; around fitted ends sum omega xi N e
+  /// weight, and from first_plastic_fit on the same of e_p.
   Sweep strain_sums = nullptr;
   /// out: internal force.
   Sweep forces = nullptr;
-  /// out: (omega xi) . de; (omega (e - e_p)) . de.
+  /// out: (omega xi) . de; (omega (e - e_p)) . de; around fitted ends sum omega xi N de weight.
   Sweep product_sums = nullptr;
   /// out: K x.
   Sweep product_forces = nullptr;
   /// out: the diagonal block without the particle's own rank-one terms, xx yy zz xy xz yz (2-D: xx yy xy);
-  /// then sum omega xi weight M and sum omega (e - e_p - mean xi) weight M.
+  /// then sum omega xi weight M and sum omega (e - e_p - mean xi) weight M; around fitted ends, from
+  /// first_fit_gradient on, sum omega xi N weight M, component by component of N.
   Sweep diagonal_blocks = nullptr;
   /// Writes through the view's plastic extension: e_p += flow (e - mean xi - e_p).
   Sweep advance = nullptr;

@@ -1,0 +1,29 @@
+#pragma once
+/// What a family can tell of the strain: the fourth moment of its bonds.
+#include <array>
+
+namespace perinox::bonds {
+
+/// A symmetric tensor in Mandel's notation: xx yy zz, then sqrt 2 times yz xz xy; 2-D: xx yy, sqrt 2 times xy, and the
+/// rest not used. Products of tensors are products of these.
+using Mandel = std::array<double, 6>;
+constexpr int mandel_size(int dimension) { return dimension * (dimension + 1) / 2; }
+/// scale N, N = n (x) n of a vector n [dimension].
+Mandel mandel(int dimension, const double* n, double scale);
+
+/// M = sum w xi^2 N N^T over a family, w = omega weight, N of the bonds' reference directions. The strain eps = M^-1
+/// sum w xi N e is exact for uniform strain whatever the family looks like, and M = m/(d(d+2)) (I I^T + 2 Id) wherever
+/// the plain formulas are.
+struct Moment {
+  int dimension = 3;
+  std::array<double, 36> inverse{};  ///< M^-1, row-major, mandel_size squared, 1/(length^2 volume)
+  Mandel second{};                   ///< M I = sum w xi^2 N, length^2 volume
+
+  double weighted_volume() const;  ///< m, the trace of `second`
+};
+
+/// M of sums over one family, row-major. False if there is nothing to correct (M differs from the isotropic one by at
+/// most 1e-10 m) or the family does not tell all strains apart: a plate one particle thick, a few bonds.
+bool make_moment(int dimension, const std::array<double, 36>& sums, Moment& moment);
+
+}  // namespace perinox::bonds

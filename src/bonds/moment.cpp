@@ -1,0 +1,47 @@
+#include "perinox/bonds/moment.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+namespace perinox::bonds {
+
+namespace {
+/// Below this ratio of M's eigenvalues a family does not tell all strains apart.
+constexpr double singular = 1e-6;
+constexpr double isotropic = 1e-10;
+}  // namespace
+
+Mandel mandel(int dimension, const double* n, double scale) {
+  const double root2 = std::sqrt(2.0);
+  if (dimension == 2) return {scale * n[0] * n[0], scale * n[1] * n[1], scale * root2 * n[0] * n[1], 0, 0, 0};
+  return {scale * n[0] * n[0],         scale * n[1] * n[1],         scale * n[2] * n[2],
+          scale * root2 * n[1] * n[2], scale * root2 * n[0] * n[2], scale * root2 * n[0] * n[1]};
+}
+
+double Moment::weighted_volume() const {
+  double m = 0;
+  for (int c = 0; c < dimension; ++c) m += second[static_cast<std::size_t>(c)];
+  return m;
+}
+
+bool make_moment(int dimension, const std::array<double, 36>& sums, Moment& moment) {
+  using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 6, 6>;
+  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
+  const int n = mandel_size(dimension);
+  const Square all = Eigen::Map<const Square>(sums.data(), n, n);
+  Column one = Column::Zero(n);
+  one.head(dimension).setOnes();
+  const Column second = all * one;
+  const double m = one.dot(second);
+  const Square even = m / (dimension * (dimension + 2)) * (one * one.transpose() + 2 * Square::Identity(n, n));
+  if (!((all - even).norm() > isotropic * m)) return false;
+  const Eigen::SelfAdjointEigenSolver<Square> values(all);
+  if (!(values.eigenvalues()[0] > singular * values.eigenvalues()[n - 1])) return false;
+  moment.dimension = dimension;
+  Eigen::Map<Square>(moment.inverse.data(), n, n) =
+      values.eigenvectors() * values.eigenvalues().cwiseInverse().asDiagonal() * values.eigenvectors().transpose();
+  Eigen::Map<Column>(moment.second.data(), n) = second;
+  return true;
+}
+
+}  // namespace perinox::bonds

@@ -1,0 +1,143 @@
+/// Quadrature position-aware: at every point of a lattice, of a jittered cloud and of what a crack leaves, uniform
+/// strain has its exact dilatation and energy, and a point yields at the yield stress whatever the direction of shear.
+#include <gtest/gtest.h>
+
+#include "perinox/materials/elastic.hpp"
+#include "perinox/materials/elastic_plastic.hpp"
+#include "support/measured.hpp"
+#include "support/scenes.hpp"
+
+namespace perinox::test {
+namespace {
+
+constexpr double bulk = 67.5e3;
+constexpr double shear = 25.9e3;
+constexpr double yield = 117.3;
+const double pi = std::acos(-1.0);
+
+std::vector<std::array<double, 4>> jittered(int n) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> jitter(-0.2, 0.2);
+  std::vector<std::array<double, 4>> points;
+  for (int k = 0; k < n * n * n; ++k)
+    points.push_back({k % n + jitter(generator), k / n % n + jitter(generator), k / n / n + jitter(generator), 1});
+  return points;
+}
+
+struct Shape {
+  std::string name;
+  deck::Deck deck;
+};
+
+std::vector<Shape> shapes() {
+  std::vector<Shape> all;
+  all.push_back({"lattice", lattice_deck(deck::Dimension::three, {9, 8, 7}, 0.25, 3.015)});
+  all.push_back({"plate", lattice_deck(deck::Dimension::plane_strain, {15, 11, 1}, 0.25, 3.015)});
+  all.push_back({"plane stress", lattice_deck(deck::Dimension::plane_stress, {15, 11, 1}, 0.25, 3.015)});
+  all.push_back({"short horizon", lattice_deck(deck::Dimension::three, {6, 6, 6}, 0.25, 2.015)});
+  all.push_back({"cracked", lattice_deck(deck::Dimension::three, {9, 8, 8}, 0.25, 3.015)});
+  deck::Crack crack;
+  crack.form = deck::CrackRectangle{{-1, -1, 1}, {2, 0, 0}, {0, 9, 0}};
+  all.back().deck.cracks.push_back(crack);
+  all.push_back({"cloud", cloud_deck(jittered(8), 3.015)});
+  for (Shape& shape : all) {
+    shape.deck.quadrature = deck::Quadrature::position_aware;
+    shape.deck.small_strain = true;  // an extension linear in the strain: exact to rounding
+  }
+  return all;
+}
+
+/// Strains with every component, hydrostatic, and shears along and across the axes.
+std::vector<Matrix> strains(int dimension) {
+  std::vector<Matrix> all{{{{1e-3, 4e-4, -3e-4}, {4e-4, -7e-4, 2e-4}, {-3e-4, 2e-4, 5e-4}}},
+                          {{{1e-3, 0, 0}, {0, 1e-3, 0}, {0, 0, 1e-3}}}};
+  for (int a = 0; a < dimension; ++a)
+    for (int b = a + 1; b < dimension; ++b) {
+      Matrix across{}, along{};
+      across[a][b] = across[b][a] = 5e-4;
+      along[a][a] = 5e-4;
+      along[b][b] = -5e-4;
+      all.push_back(across);
+      all.push_back(along);
+    }
+  return all;
+}
+
+Matrix gradient_of(const Matrix& strain) {
+  Matrix gradient = strain;
+  for (int c = 0; c < 3; ++c) gradient[c][c] += 1;
+  return gradient;
+}
+
+TEST(PositionAware, UniformStrainIsExactEverywhere) {
+  for (const Shape& shape : shapes()) {
+    SCOPED_TRACE(shape.name);
+    const int d = deck::unknowns(shape.deck.dimension);
+    const materials::ElasticConstants constants{bulk, shear};
+    const double kappa = constants.bulk_of(shape.deck.dimension);
+    const mechanics::Scene scene =
+        make_scene(shape.deck, materials_of(std::make_unique<materials::Elastic>(kappa, shear, true)));
+    ASSERT_FALSE(scene.families().moments.empty());
+    for (const Matrix& strain : strains(d)) {
+      double trace = 0, square = 0;
+      for (int a = 0; a < d; ++a) trace += strain[a][a];
+      for (int a = 0; a < d; ++a)
+        for (int b = 0; b < d; ++b) square += std::pow(strain[a][b] - (a == b ? trace / d : 0), 2);
+      const double energy = kappa * trace * trace / 2 + shear * square;
+      const mechanics::Trial trial =
+          internal_force(scene, mechanics::Committed(scene), affine_field(scene, gradient_of(strain))).trial;
+      double worst = 0, dilatation = 0;
+      for (LocalIndex i = 0; i < scene.owned(); ++i) {
+        worst = std::max(worst, std::abs(trial.stored_energy[i] / energy - 1));
+        dilatation = std::max(dilatation, std::abs(trial.dilatation[i] - trace) / 1e-3);
+      }
+      EXPECT_LE(measured("position-aware: dilatation, " + shape.name, dilatation), 1e-10);
+      EXPECT_LE(measured("position-aware: energy, " + shape.name, worst), 1e-10);
+    }
+    if (shape.name == "cloud") remove_cloud(shape.deck);
+  }
+}
+
+TEST(PositionAware, PlainFormulasInside) {
+  deck::Deck deck = lattice_deck(deck::Dimension::three, {11, 11, 11}, 0.25, 3.015);
+  deck.quadrature = deck::Quadrature::position_aware;
+  const mechanics::Scene scene =
+      make_scene(deck, materials_of(std::make_unique<materials::Elastic>(bulk, shear, true)));
+  EXPECT_EQ(scene.families().moments.size(), 11U * 11 * 11 - 5 * 5 * 5);
+  for (LocalIndex i = 0; i < scene.owned(); ++i) {
+    bool inside = true;
+    for (int c = 0; c < 3; ++c) inside = inside && std::abs(scene.body().position(i)[c] - 1.375) < 0.51;
+    EXPECT_EQ(scene.families().moment(i) == nullptr, inside);
+  }
+}
+
+TEST(PositionAware, YieldsAtTheYieldStressInEveryDirection) {
+  for (const Shape& shape : shapes()) {
+    if (shape.name == "cloud") remove_cloud(shape.deck);
+    if (deck::unknowns(shape.deck.dimension) == 2 || shape.name == "cloud") continue;
+    SCOPED_TRACE(shape.name);
+    materials::ElasticPlastic::Parameters p;
+    p.bulk = bulk;
+    p.shear = shear;
+    p.yield_shear = yield;
+    const mechanics::Scene scene = make_scene(shape.deck, materials_of(std::make_unique<materials::ElasticPlastic>(p)));
+    for (int k = 0; k < 12; ++k) {
+      // Simple shear of the yield strain in plane (a, b), turned in that plane.
+      const int a = k % 3, b = (a + 1) % 3;
+      const double angle = pi / 2 * (k / 3) / 4;
+      for (const double factor : {1 - 1e-8, 1 + 1e-8}) {
+        const double half = factor * yield / shear / 2;
+        Matrix strain{};
+        strain[a][a] = half * std::sin(2 * angle);
+        strain[b][b] = -strain[a][a];
+        strain[a][b] = strain[b][a] = half * std::cos(2 * angle);
+        const mechanics::Trial trial =
+            internal_force(scene, mechanics::Committed(scene), affine_field(scene, gradient_of(strain))).trial;
+        EXPECT_EQ(trial.yielding, factor > 1 ? scene.owned() : 0);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace perinox::test
