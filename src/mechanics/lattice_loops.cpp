@@ -53,10 +53,18 @@ void LatticeLoops::find_fitted_blocks() {
     return false;
   };
   for (const kernels::Block& block : blocks_) {
-    bool found = any(block.cell);
-    for (std::size_t o = 0; o < offsets_.size() && !found; ++o) found = any(block.cell + offsets_[o].cell);
-    fitted_blocks_.push_back(found ? 1 : 0);
+    const bool near = any(block.cell);
+    bool found = near;
+    const auto first = static_cast<std::int64_t>(fit_marks_.size());
+    for (const kernels::Offset& offset : offsets_) {
+      const bool mark = near || any(block.cell + offset.cell);
+      found = found || mark;
+      fit_marks_.push_back(mark ? 1 : 0);
+    }
+    if (!found) fit_marks_.resize(static_cast<std::size_t>(first));
+    fitted_blocks_.push_back(found ? first : -1);
   }
+  fit_marks_.shrink_to_fit();
 }
 
 void LatticeLoops::put_fits(const bonds::Mandel* values, GridArrays& arrays, int first) {
@@ -74,7 +82,8 @@ bonds::Mandel LatticeLoops::take_fit(std::size_t m, int array) const {
 
 std::size_t LatticeLoops::bytes() const {
   return u_.bytes() + x_.bytes() + law_.bytes() + mean_.bytes() + out_.bytes() + state_.bytes() + change_.bytes() +
-         fitted_.size() * (sizeof(LocalIndex) + sizeof(slope_[0]) + sizeof(modulus_[0])) + fitted_blocks_.size() +
+         fitted_.size() * (sizeof(LocalIndex) + sizeof(slope_[0]) + sizeof(modulus_[0])) +
+         fitted_blocks_.size() * sizeof(fitted_blocks_[0]) + fit_marks_.size() +
          (dilatation_.size() + flow_.size() + ghosts_.size() + plastic_.size()) * sizeof(double) +
          blocks_.size() * sizeof(kernels::Block);
 }
@@ -89,7 +98,8 @@ LoopMemory LatticeLoops::expected() const {
                    static_cast<std::size_t>(cells) * sizeof(double);
   if (moved_) memory.tangent += arrays(d_);
   if (!fitted_.empty()) {
-    const std::size_t lists = fitted_.size() * sizeof(LocalIndex) + blocks_.size();
+    const std::size_t lists =
+        fitted_.size() * sizeof(LocalIndex) + blocks_.size() * sizeof(fitted_blocks_[0]) + fit_marks_.size();
     memory.evaluation += arrays(bonds::mandel_size(d_)) + lists;
     memory.tangent += (small_ ? 1 : 2) * arrays(bonds::mandel_size(d_)) + lists +
                       fitted_.size() * (sizeof(slope_[0]) + sizeof(modulus_[0]));
@@ -123,6 +133,7 @@ kernels::LatticeView LatticeLoops::view(double* const* plastic, Range range) con
   view.masks = families_.masks().data();
   view.plastic = plastic ? plastic + first : nullptr;
   view.fitted = fitted_blocks_.empty() ? nullptr : fitted_blocks_.data() + first;
+  view.fit_marks = fit_marks_.data();
   if (!state_.empty())
     for (int k = 0; k < bonds::mandel_size(d_); ++k) view.state[k] = state_[k];
   if (!change_.empty())

@@ -49,7 +49,8 @@ class LatticeLoops : public FamilyLoops {
   std::vector<kernels::Offset> offsets_;
   std::vector<kernels::Block> blocks_;
   std::int64_t guard_ = 0;
-  std::vector<std::uint8_t> fitted_blocks_;  ///< [blocks] not zero around fitted particles; empty: nowhere
+  std::vector<std::int64_t> fitted_blocks_;  ///< [blocks] first of the marks around fitted particles, or -1
+  std::vector<std::uint8_t> fit_marks_;      ///< one an offset; empty: nothing is fitted
   GridArrays u_, x_, law_, mean_, state_, change_, out_;
   std::vector<double> dilatation_, flow_;  ///< [grid] coefficients of the tangent's rank-one terms
   std::vector<double*> plastic_;           ///< [blocks] for the products; empty: nothing flows or has flowed

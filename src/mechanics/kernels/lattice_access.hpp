@@ -8,8 +8,14 @@ namespace perinox::mechanics::kernels::PERINOX_KERNELS {
 template <bool masked>
 class LatticeAccess {
  public:
-  PERINOX_INLINE LatticeAccess(const LatticeView& view, double* e_p, std::int64_t here, int o, unsigned mask)
-      : g_(view), o_(view.offsets[o]), e_p_(e_p + 2 * group * o), there_(here + o_.cell), mask_(mask) {
+  PERINOX_INLINE LatticeAccess(const LatticeView& view, double* e_p, const std::uint8_t* fitted, std::int64_t here,
+                               int o, unsigned mask)
+      : g_(view),
+        o_(view.offsets[o]),
+        e_p_(e_p + 2 * group * o),
+        fitted_(fitted && fitted[o]),
+        there_(here + o_.cell),
+        mask_(mask) {
     // One cache line of plastic extension an end: ask for what comes next before it is needed.
     if (e_p) {
       __builtin_prefetch(e_p_ + 2 * group * 14);
@@ -38,6 +44,7 @@ class LatticeAccess {
   /// Weight of the bond in the sums of the near end, of the far end.
   PERINOX_INLINE double influence_near() const { return o_.influence; }
   PERINOX_INLINE double influence_far() const { return o_.influence; }
+  PERINOX_INLINE bool fitted() const { return fitted_; }
   template <int d>
   PERINOX_INLINE void basis(Vector* xi_n) const {
     for (int k = 0; k < d * (d + 1) / 2; ++k) xi_n[k] = all(o_.basis[k]);
@@ -68,6 +75,7 @@ class LatticeAccess {
   const LatticeView& g_;
   const Offset& o_;
   double* e_p_;
+  bool fitted_;
   std::int64_t there_;
   unsigned mask_;
 };
@@ -103,16 +111,17 @@ class LatticeOwn {
 
 /// One vector of cells: own values loaded, every offset, own results stored.
 template <class Sweep>
-PERINOX_INLINE void visit_cells(const LatticeView& g, const Block& block, double* e_p, int lane) {
+PERINOX_INLINE void visit_cells(const LatticeView& g, const Block& block, double* e_p, const std::uint8_t* fitted,
+                                int lane) {
   const std::int64_t here = block.cell + lane;
   const LatticeOwn own(g, here);
   Sweep sweep(own);
   if (block.mask < 0) {
-    for (int o = 0; o < g.offset_count; ++o) sweep.visit(LatticeAccess<false>(g, e_p, here, o, 0));
+    for (int o = 0; o < g.offset_count; ++o) sweep.visit(LatticeAccess<false>(g, e_p, fitted, here, o, 0));
   } else {
     for (int o = 0; o < g.offset_count; ++o) {
       const unsigned mask = (static_cast<unsigned>(g.masks[block.mask + o]) >> lane) & ((1u << width) - 1);
-      if (mask) sweep.visit(LatticeAccess<true>(g, e_p, here, o, mask));
+      if (mask) sweep.visit(LatticeAccess<true>(g, e_p, fitted, here, o, mask));
     }
   }
   sweep.finish(own);
@@ -123,14 +132,15 @@ template <class Plain, class Flowed, class Fitted, class FittedFlowed>
 void run(const LatticeView& g) {
   for (std::int64_t b = 0; b < g.block_count; ++b) {
     double* e_p = g.plastic ? g.plastic[b] : nullptr;
-    const bool fitted = g.fitted && g.fitted[b];
+    const std::uint8_t* fitted = g.fitted && g.fitted[b] >= 0 ? g.fit_marks + g.fitted[b] : nullptr;
     for (int lane = 0; lane < group; lane += width) {
       double* from = e_p ? e_p + lane : nullptr;
+      const Block& block = g.blocks[b];
       if (e_p)
-        fitted ? visit_cells<FittedFlowed>(g, g.blocks[b], from, lane)
-               : visit_cells<Flowed>(g, g.blocks[b], from, lane);
+        fitted ? visit_cells<FittedFlowed>(g, block, from, fitted, lane)
+               : visit_cells<Flowed>(g, block, from, nullptr, lane);
       else
-        fitted ? visit_cells<Fitted>(g, g.blocks[b], from, lane) : visit_cells<Plain>(g, g.blocks[b], from, lane);
+        fitted ? visit_cells<Fitted>(g, block, from, fitted, lane) : visit_cells<Plain>(g, block, from, nullptr, lane);
     }
   }
 }

@@ -36,6 +36,7 @@ class PairAccess {
   PERINOX_INLINE Vector pair() const { return weight_ * volume_near() * volume_far(); }
   PERINOX_INLINE Vector influence_near() const { return weight_ * volume_far(); }
   PERINOX_INLINE Vector influence_far() const { return weight_ * volume_near(); }
+  PERINOX_INLINE bool fitted() const { return true; }
   template <int d>
   PERINOX_INLINE void basis(Vector* xi_n) const {
     constexpr double root2 = 1.4142135623730951;

@@ -93,10 +93,10 @@ struct StrainSums {
     const Vector far_weight = far.present(far.influence_far() + Vector{});
     Vector near = e - mean * far.length(), away = e - far.mean() * far.length();
     Vector to_far[results] = {}, xi_n[8];
-    if (fitted) far.template basis<d>(xi_n);
+    if (fitted && far.fitted()) far.template basis<d>(xi_n);
     sum[0] += near_weight * far.length() * e;
     to_far[0] = far_weight * far.length() * e;
-    if (fitted)
+    if (fitted && far.fitted())
       for (int k = 0; k < components<d>; ++k) {
         sum[first_fit + k] += near_weight * e * xi_n[k];
         to_far[first_fit + k] = far_weight * e * xi_n[k];
@@ -105,7 +105,7 @@ struct StrainSums {
       const Vector near_plastic = load(far.plastic_near()), far_plastic = load(far.plastic_far());
       sum[2] += near_weight * far.length() * near_plastic;
       to_far[2] = far_weight * far.length() * far_plastic;
-      if (fitted)
+      if (fitted && far.fitted())
         for (int k = 0; k < components<d>; ++k) {
           sum[first_plastic_fit + k] += near_weight * near_plastic * xi_n[k];
           to_far[first_plastic_fit + k] = far_weight * far_plastic * xi_n[k];
@@ -115,7 +115,10 @@ struct StrainSums {
     }
     sum[1] += near_weight * near * near;
     to_far[1] = far_weight * away * away;
-    far.template add_far<results>(to_far);
+    if (fitted && far.fitted())
+      far.template add_far<results>(to_far);
+    else
+      far.template add_far<plastic ? 3 : 2>(to_far);
   }
   template <class Own>
   PERINOX_INLINE void finish(const Own& own) const {
@@ -138,7 +141,7 @@ struct Forces {
     const Vector far_shear = far.law(Law::shear);
     Vector t = (radial + far.law(Law::radial)) * far.length() + (shear + far_shear) * extension<d, small>(p, far);
     if (plastic) t -= shear * load(far.plastic_near()) + far_shear * load(far.plastic_far());
-    if (fitted) {
+    if (fitted && far.fitted()) {
       Vector xi_n[8], both[8];
       far.template basis<d>(xi_n);
       far.template state<d>(both);
@@ -180,7 +183,7 @@ struct ProductSums {
     Vector to_far[results] = {};
     sum[0] += near_weight * far.length();
     to_far[0] = far_weight * far.length();
-    if (fitted) {
+    if (fitted && far.fitted()) {
       Vector xi_n[8];
       far.template basis<d>(xi_n);
       for (int k = 0; k < components<d>; ++k) {
@@ -193,7 +196,10 @@ struct ProductSums {
       sum[1] += near_weight * (e - load(far.plastic_near()));
       to_far[1] = far_weight * (e - load(far.plastic_far()));
     }
-    far.template add_far<results>(to_far);
+    if (fitted && far.fitted())
+      far.template add_far<results>(to_far);
+    else
+      far.template add_far<plastic ? 2 : 1>(to_far);
   }
   template <class Own>
   PERINOX_INLINE void finish(const Own& own) const {
@@ -236,7 +242,7 @@ struct ProductForces {
         stiff += flow * (e - near_plastic) + far.law(Law::flow) * (e - far_plastic);
       }
     }
-    if (fitted) {
+    if (fitted && far.fitted()) {
       Vector xi_n[8], ends[8];
       far.template basis<d>(xi_n);
       far.template change<d>(ends);
@@ -293,10 +299,10 @@ struct DiagonalBlocks {
     Vector near = e, away = e, t = {};
     if (plastic) near -= load(far.plastic_near()), away -= load(far.plastic_far());
     Vector xi_n[8];
-    if (fitted) far.template basis<d>(xi_n);
+    if (fitted && far.fitted()) far.template basis<d>(xi_n);
     if (!small) {
       t = (radial + far.law(Law::radial)) * far.length() + shear * near + far_shear * away;
-      if (fitted) {
+      if (fitted && far.fitted()) {
         Vector ends[8];
         far.template state<d>(ends);
         for (int k = 0; k < components<d>; ++k) ends[k] += state[k];
@@ -336,7 +342,7 @@ struct DiagonalBlocks {
         result[k] += near * m[c];
         other[k] = -away * m[c];
       }
-    if (fitted) {
+    if (fitted && far.fitted()) {
       const Vector near_weight = far.influence_near() + Vector{}, far_weight = far.influence_far() + Vector{};
       k = first_fit_gradient;
       for (int b = 0; b < components<d>; ++b)
@@ -345,7 +351,10 @@ struct DiagonalBlocks {
           other[k] = -far_weight * xi_n[b] * m[c];
         }
     }
-    far.template add_far<results>(other);
+    if (fitted && far.fitted())
+      far.template add_far<results>(other);
+    else
+      far.template add_far<entries + d + (plastic ? d : 0)>(other);
   }
   template <class Own>
   PERINOX_INLINE void finish(const Own& own) const {

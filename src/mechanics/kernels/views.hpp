@@ -41,8 +41,10 @@ struct LatticeView {
   /// [blocks] plastic extension, [offsets][near end's family, far end's][group]; null where neither end has flowed yet.
   /// Null as a whole: nothing has flowed anywhere.
   double* const* plastic = nullptr;
-  /// [blocks] not zero where an end of some bond has its strain fitted; null: nowhere.
-  const std::uint8_t* fitted = nullptr;
+  /// [blocks] first of the block's marks, one an offset, not zero where an end of a bond has its strain fitted; -1: no
+  /// end has. Null: nowhere.
+  const std::int64_t* fitted = nullptr;
+  const std::uint8_t* fit_marks = nullptr;
   double volume = 0;
 
   const double* u[3] = {};       ///< displacement
@@ -66,7 +68,7 @@ struct PairView {
   const double* weight = nullptr;       ///< [pairs] omega s; null: 1
   double* const* plastic = nullptr;     ///< [slots] plastic extension, [pairs/group][near, far][group]; null as above
 
-  const std::uint8_t* fitted = nullptr;  ///< [slots] as above
+  const std::uint8_t* fitted = nullptr;  ///< [slots] not zero where an end of a pair is fitted
   const double* place = nullptr;  ///< reference position, then volume; for the tangent of finite deformation: position
   const double* u = nullptr;      ///< displacement, then mean
   const double* x = nullptr;
