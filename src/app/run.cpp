@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "perinox/app/commands.hpp"
@@ -11,6 +13,19 @@
 #include "perinox/solve/load_stepper.hpp"
 
 namespace perinox::app {
+
+namespace {
+
+/// Share of the work that may be missing without a word.
+constexpr double worth_a_warning = 0.05;
+
+/// What of the external work is neither stored nor dissipated, over the largest of the three.
+double unaccounted(const solve::Energies& e) {
+  const double size = std::max({std::abs(e.external_work), std::abs(e.stored), std::abs(e.dissipated)});
+  return size > 0 ? (e.external_work - e.stored - e.dissipated) / size : 0;
+}
+
+}  // namespace
 
 int run(const Options& options, const Communicator& communicator) {
   const Problem problem = prepare(options, communicator);
@@ -39,9 +54,18 @@ int run(const Options& options, const Communicator& communicator) {
   }
   say_times();
   const solve::Energies& e = stepper.energies();
+  const double gap = unaccounted(e);
   if (talk)
-    fmt::print("done: stored {:.6g}, dissipated {:.6g}, external work {:.6g}; results in {}\n", e.stored, e.dissipated,
-               e.external_work, directory);
+    fmt::print(
+        "done: stored {:.6g}, dissipated {:.6g}, external work {:.6g} ({:+.1e} of it not accounted for); results in "
+        "{}\n",
+        e.stored, e.dissipated, e.external_work, gap, directory);
+  if (communicator.is_root() && std::abs(gap) > worth_a_warning)
+    fmt::print(
+        stderr,
+        "warning: {:.1f} % of the external work is neither stored nor dissipated; the steps are too long for their "
+        "work, which is summed by the trapezoidal rule: take more of them\n",
+        100 * gap);
   return 0;
 }
 

@@ -64,7 +64,7 @@ PointState ElasticPlastic::state(const FamilySums& sums, const double* committed
   response.dilatation = r.dilatation;
   response.stored_energy =
       0.5 * (parameters_.bulk * r.dilatation * r.dilatation + r.alpha * r.scale * r.scale * r.strain_square);
-  response.dissipation = delta_lambda * r.beta * r.beta;
+  response.dissipation = r.potential;  // Delta lambda beta^2 without hardening
   response.hardening_potential = r.potential;
   response.yielding = r.yielding;
   return point;

@@ -41,7 +41,6 @@ PlanePlastic::Return PlanePlastic::return_to_yield(const FamilySums& sums, const
   else
     flow_in_plane_strain(trial, hardening, r);
   r.potential = (r.tau + 0.5 * hardening * r.plastic_shear) * r.plastic_shear;
-  r.tau += hardening * r.plastic_shear;
   return r;
 }
 
@@ -102,7 +101,7 @@ PointState PlanePlastic::state(const FamilySums& sums, const double* committed, 
   const double volumetric =
       stress_ ? out * out / plane_bulk_ : parameters_.bulk * r.dilatation * r.dilatation + 3 * mu * out * out;
   response.stored_energy = 0.5 * (volumetric + r.shear * r.shear * r.energy);
-  response.dissipation = r.yielding ? r.tau * r.plastic_shear : 0;
+  response.dissipation = r.potential;
   response.hardening_potential = r.potential;
   response.yielding = r.yielding;
   return point;

@@ -147,18 +147,22 @@ TEST_P(PlasticPointFormulas, EndsOnTheYieldSurfaceAndStaysThere) {
   EXPECT_LE(measured("materials: distance to the yield surface", std::abs(std::sqrt(square) / beta - 1)),
             1e-14);  // 3.3e-16
 
-  // What is dissipated is t_d . e_p of the step, which is Delta lambda beta^2.
+  // What is dissipated is the yield stress times the flow, and t_d . e_p of the step is that at the step's end, which
+  // is Delta lambda beta^2.
   const double lambda = now.point_history.at(0) - point_.committed_point().at(0);
+  const double flow = std::sqrt(3.0) * (now.point_history.at(1) - point_.committed_point().at(1));
   EXPECT_GT(now.response.dissipation, 0);
-  EXPECT_LE(measured("materials: dissipation against lambda beta^2",
-                     std::abs(now.response.dissipation / (lambda * beta * beta) - 1)),
-            1e-14);  // 6.7e-16
+  EXPECT_LE(measured("materials: dissipation against yield stress times flow",
+                     std::abs(now.response.dissipation / ((tau - 0.5 * surface.hardening * flow) * flow) - 1)),
+            1e-13);
   double work = 0;
   for (int j = 0; j < bonds; ++j)
     work += (now.force_state[j] - pressure * family_.influence[j] * family_.length[j]) *
             (now.bond_history[j] - point_.committed_bond()[j]) * family_.weight[j];
-  EXPECT_LE(measured("materials: dissipation against t_d . de_p", std::abs(now.response.dissipation / work - 1)),
+  EXPECT_LE(measured("materials: t_d . de_p against lambda beta^2", std::abs(work / (lambda * beta * beta) - 1)),
             1e-14);  // 6.7e-16
+  EXPECT_LE(measured("materials: t_d . de_p against yield stress times flow", std::abs(work / (tau * flow) - 1)),
+            1e-13);
 
   // The state reached is an elastic one of the next step.
   MaterialPoint next = point_;

@@ -34,7 +34,7 @@ class PlanePlastic : public Material {
     double out = 0;            ///< plane strain: y before; plane stress: P before
     double shear = 1;          ///< what is left of the in-plane deviator
     double rest = 1;           ///< what is left of `out`
-    double tau = 0;            ///< at the end of the step
+    double tau = 0;            ///< at the beginning of the step
     double plastic_shear = 0;  ///< Delta gamma_p
     double potential = 0;      ///< work of tau over it
     double flow = 0;           ///< coefficient of q (q . de), q = omega (e_d - e_p) + flow_pressure d theta/d e
