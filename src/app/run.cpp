@@ -61,11 +61,10 @@ int run(const Options& options, const Communicator& communicator) {
         "{}\n",
         e.stored, e.dissipated, e.external_work, gap, directory);
   if (communicator.is_root() && std::abs(gap) > worth_a_warning)
-    fmt::print(
-        stderr,
-        "warning: {:.1f} % of the external work is neither stored nor dissipated; the steps are too long for their "
-        "work, which is summed by the trapezoidal rule: take more of them\n",
-        100 * gap);
+    fmt::print(stderr,
+               "warning: the external work is {:.1f} % {} than what is stored and dissipated; it is summed by the "
+               "trapezoidal rule, and the steps are too long for that: take more of them\n",
+               100 * std::abs(gap), gap > 0 ? "more" : "less");
   return 0;
 }
 

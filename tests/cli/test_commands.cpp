@@ -100,7 +100,7 @@ TEST(CommandLine, AnOutputThatIsAFileIsRefused) {
 
 TEST(Run, LeavesItsFilesAndStatusZero) {
   const Folder folder;
-  folder.write("deck.yaml", base_deck);
+  folder.write("deck.yaml", changed(base_deck, "0.01*t", "0.001*t"));  // nothing flows
   const Outcome outcome = folder.perinox({"run", "deck.yaml"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.error, "");
@@ -110,9 +110,20 @@ TEST(Run, LeavesItsFilesAndStatusZero) {
   EXPECT_EQ(history_without_seconds(folder.path() / "results/deck").size(), 3);  // header and two steps
 }
 
+TEST(Run, WarnsOfStepsTooLongForTheirWork) {
+  const Folder folder;
+  folder.write("deck.yaml", base_deck);  // two steps far into plastic flow
+  const Outcome outcome = folder.perinox({"run", "deck.yaml", "--quiet"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.error,
+              StartsWith("warning: the external work is 14.2 % less than what is stored and dissipated; "));
+  EXPECT_EQ(folder.perinox({"run", "deck.yaml", "--quiet", "--set", "steps.count=8"}).error, "");
+}
+
 TEST(Run, QuietSaysNothing) {
   const Folder folder;
-  folder.write("deck.yaml", base_deck);
+  folder.write("deck.yaml", changed(base_deck, "0.01*t", "0.001*t"));
   const Outcome outcome = folder.perinox({"run", "deck.yaml", "--quiet", "--output", "here"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out, "");
@@ -176,7 +187,7 @@ TEST(Run, AndCheckAndVerifyTellOfAnUnknownThatIsPrescribedTwice) {
   for (const char* command : {"run", "check", "verify"}) {
     SCOPED_TRACE(command);
     const Folder folder;
-    folder.write("deck.yaml", changed(base_deck, "steps:", "  - {set: head, displacement: {z: \"0.02*t\"}}\nsteps:"));
+    folder.write("deck.yaml", changed(base_deck, "steps:", "  - {set: head, displacement: {z: \"0.0005*t\"}}\nsteps:"));
     const Outcome outcome = folder.perinox({command, "deck.yaml", "--quiet"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(
