@@ -27,8 +27,10 @@ class Material {
 
   virtual HistoryLayout history() const { return {}; }
   virtual bool from_sums() const { return true; }
-  /// False where the energy is not one of dilatation and deviatoric extension: its strain is never fitted.
-  virtual bool takes_fit() const { return from_sums(); }
+  /// True where state() gives `pressure` and modulus(sums) `bulk`, so that the strain may be fitted (quadrature
+  /// position-aware): the energy has to be one of dilatation and deviatoric extension. Otherwise its points keep
+  /// `radial`.
+  virtual bool takes_fit() const { return false; }
 
   /// The point's answer to the sums at a state under trial. Reads the committed point history, writes every entry of
   /// the trial one (both [HistoryLayout::point.size()]).

@@ -19,6 +19,7 @@ class PlanePlastic : public Material {
 
   HistoryLayout history() const override;
   using Material::modulus;
+  bool takes_fit() const override { return true; }
   PointState state(const FamilySums& sums, const double* committed, double* trial) const override;
   /// There is no printed form: the consistent one is returned for either.
   PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const override;
