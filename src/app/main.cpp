@@ -5,7 +5,6 @@
 #include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 
 #include "perinox/app/commands.hpp"
@@ -73,9 +72,6 @@ int command_line(int argc, char** argv, const perinox::Communicator& ranks) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Started without mpirun, Open MPI would start a daemon to watch over one process: 0.1 s of every run.
-  if (!std::getenv("OMPI_COMM_WORLD_SIZE") && !std::getenv("PMIX_RANK"))
-    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   // Kokkos takes --help and other options for its own: it is shown the program's name alone.
   int shown = 1;
   char* name_only[] = {argv[0], nullptr};
