@@ -99,8 +99,16 @@ struct Points {
   const LocalIndex* element;
   const CoarseElement* elements;
   const char* prescribed;
-  const double* over_size;
+  std::array<double, 3> over_size;
 };
+
+Points points_of(const mechanics::Scene& scene, const std::vector<char>& prescribed, const CoarseCells& cells,
+                 const std::vector<LocalIndex>& element, const std::vector<CoarseElement>& elements) {
+  Points points{scene.owned(), scene.body().reference.data(), element.data(), elements.data(), prescribed.data(), {}};
+  for (std::size_t a = 0; a < static_cast<std::size_t>(cells.dimension()); ++a)
+    points.over_size[a] = 1 / cells.size()[a];
+  return points;
+}
 
 /// Particles in the order of memory: neighbours share an element, whose few sums stay near. sums: [elements][d][2^d].
 template <int d>
@@ -110,7 +118,7 @@ inline __attribute__((always_inline)) void sum_monomials(const Points& p, const 
     const std::size_t first = static_cast<std::size_t>(i) * d;
     const auto e = static_cast<std::size_t>(p.element[i]);
     Vector m;
-    monomials<d>(p.place + first, p.elements[e].corner.data(), p.over_size, m);
+    monomials<d>(p.place + first, p.elements[e].corner.data(), p.over_size.data(), m);
     auto* sum = reinterpret_cast<Vector*>(sums + (e * d << d));
     for (int c = 0; c < d; ++c) sum[c] += (p.prescribed[first + c] ? 0 : r[first + c]) * m;
   }
@@ -123,7 +131,7 @@ inline __attribute__((always_inline)) void add_monomials(const Points& p, const 
     const std::size_t first = static_cast<std::size_t>(i) * d;
     const auto e = static_cast<std::size_t>(p.element[i]);
     Vector m;
-    monomials<d>(p.place + first, p.elements[e].corner.data(), p.over_size, m);
+    monomials<d>(p.place + first, p.elements[e].corner.data(), p.over_size.data(), m);
     const auto* coefficient = reinterpret_cast<const Vector*>(coefficients + (e * d << d));
     for (int c = 0; c < d; ++c) {
       const Vector terms = coefficient[c] * m;
@@ -153,10 +161,7 @@ PERINOX_FOR_EACH_MACHINE void add_2(const Points& p, const double* coefficients,
 void CoarseGrid::restrict_to_nodes(const double* r, double* coarse) const {
   std::fill_n(coarse, unknowns(), 0.0);
   const int d = dimension(), corners = cells_.corners();
-  const std::array<double, 3> over_size = over_cell_size();
-  const Points points{scene_.owned(),     scene_.body().reference.data(),
-                      element_.data(),    elements_.data(),
-                      prescribed_.data(), over_size.data()};
+  const Points points = points_of(scene_, prescribed_, cells_, element_, elements_);
   clear_monomials();
   (d == 3 ? sum_3 : sum_2)(points, r, monomials());
   for (std::size_t e = 0; e < elements_.size(); ++e)
@@ -171,10 +176,7 @@ void CoarseGrid::restrict_to_nodes(const double* r, double* coarse) const {
 
 void CoarseGrid::add_interpolated(const double* coarse, double* z) const {
   const int d = dimension(), corners = cells_.corners();
-  const std::array<double, 3> over_size = over_cell_size();
-  const Points points{scene_.owned(),     scene_.body().reference.data(),
-                      element_.data(),    elements_.data(),
-                      prescribed_.data(), over_size.data()};
+  const Points points = points_of(scene_, prescribed_, cells_, element_, elements_);
   clear_monomials();
   for (std::size_t e = 0; e < elements_.size(); ++e)
     for (int c = 0; c < d; ++c) {
@@ -185,12 +187,6 @@ void CoarseGrid::add_interpolated(const double* coarse, double* z) const {
           if ((m >> a & 1) == 0) coefficient[m + (1 << a)] -= coefficient[m];
     }
   (d == 3 ? add_3 : add_2)(points, monomials(), z);
-}
-
-std::array<double, 3> CoarseGrid::over_cell_size() const {
-  std::array<double, 3> over{};
-  for (int a = 0; a < dimension(); ++a) over[a] = 1 / cells_.size()[a];
-  return over;
 }
 
 void CoarseGrid::clear_monomials() const {

@@ -45,7 +45,6 @@ class CoarseGrid {
   std::size_t bytes() const;
 
  private:
-  std::array<double, 3> over_cell_size() const;
   void clear_monomials() const;
   double* monomials() const;  ///< [elements][dimension][corners] of the function at hand
 
