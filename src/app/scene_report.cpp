@@ -98,7 +98,10 @@ Memory memory_of(const mechanics::Scene& scene) {
   const auto sum = [&](std::size_t value) { return scene.body().communicator.sum(static_cast<double>(value)); };
   const mechanics::LoopMemory expected = mechanics::FamilyLoops::make(scene)->expected();
   Memory memory;
-  memory.families = sum(scene.lattice() ? scene.lattice()->bytes() : scene.pairs()->bytes());
+  const bonds::Families& families = scene.families();
+  memory.families =
+      sum((scene.lattice() ? scene.lattice()->bytes() : scene.pairs()->bytes()) +
+          families.fit.size() * sizeof(families.fit[0]) + families.moments.size() * sizeof(bonds::Moment));
   memory.loops = sum(expected.evaluation + expected.tangent);
   memory.plastic = sum(expected.plastic);
   return memory;
@@ -165,6 +168,14 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
                    t.bond_history, t.bonds, t.point_history)
              : "  no plastic history: no block needs it; rank-one modulus\n";
   out += t.cut > 0 ? "  pre-cracks: bonds cut at the start\n" : "  no pre-cracks\n";
+  const long long fitted = ranks.sum(static_cast<long long>(scene.families().moments.size()));
+  if (fitted > 0)
+    out += fmt::format("  strain fitted at {} of {} particles: bonds with such an end carry {} sums instead of one\n",
+                       fitted, body.total, bonds::mandel_size(body.dimension));
+  else if (deck.quadrature == deck::Quadrature::position_aware)
+    out +=
+        "  no strain fitted: every family is a whole one, cannot tell strains apart, or has a material "
+        "without a fit\n";
   out += "memory, all ranks\n";
   const auto line = [&](const char* what, double value) {
     out += fmt::format("  {}: {}, {:.0f} bytes a particle\n", what, bytes(value), value / particles);

@@ -220,6 +220,18 @@ TEST(Verify, HoldsForTheConsistentTangentAndNotForThePrintedOne) {
   EXPECT_EQ(printed.status, 1) << printed.out;
 }
 
+TEST(Check, SaysWhereTheStrainIsFitted) {
+  const Folder folder;
+  folder.write("deck.yaml", base_deck);
+  const auto said = [&](const std::string& quadrature) {
+    return folder.perinox({"check", "deck.yaml", "--set", "quadrature=" + quadrature}).out;
+  };
+  EXPECT_THAT(
+      said("position-aware"),
+      HasSubstr("\n  strain fitted at 36 of 36 particles: bonds with such an end carry 6 sums instead of one\n"));
+  EXPECT_THAT(said("whole"), ::testing::Not(HasSubstr("fitted")));
+}
+
 TEST(Check, SaysWhichTangentAndWhy) {
   const Folder folder;
   folder.write("deck.yaml", changed(base_deck, "  tangent: matrix-free\n", ""));

@@ -31,7 +31,7 @@ struct TangentLaw {
 /// Bytes on this rank of the arrays that a run of a scene comes to hold in its loops.
 struct LoopMemory {
   std::size_t evaluation = 0;  ///< strain sums and internal force
-  std::size_t tangent = 0;     ///< products; diagonal blocks need twelve arrays more for a moment
+  std::size_t tangent = 0;     ///< products; diagonal blocks need twelve arrays more for a moment, 30 with fits
   std::size_t plastic = 0;     ///< plastic extension, once everything has flowed; nothing where nothing has
 };
 
