@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "scalar.hpp"
 #include "words.hpp"
 
@@ -63,19 +66,28 @@ Set convert_set(const std::string& name, const Value& value, Dimension dimension
   return set;
 }
 
+Point facing_of(const Value& value, LoadKind kind, Dimension dimension) {
+  if (kind != LoadKind::traction && kind != LoadKind::pressure)
+    refuse(value.location(), "facing chooses faces of the surface and goes with traction or pressure only; remove it");
+  const Point direction = convert_point(value, dimension, "facing");
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  if (!(length > 0)) refuse(value.location(), "facing has length 0 and points nowhere; give a direction");
+  return {direction[0] / length, direction[1] / length, direction[2] / length};
+}
+
 Load convert_load(const Value& value, Dimension dimension) {
   Load load;
   load.location = value.location();
   load.set = value.at("set").text();
-  const char* name = "displacement";
-  if (value.has("force")) {
-    load.kind = LoadKind::force;
-    name = "force";
-  } else if (value.has("body_force")) {
-    load.kind = LoadKind::body_force;
-    name = "body_force";
-  }
+  const std::string name = *std::find_if(words::load_kind.begin(), words::load_kind.end(),
+                                         [&](const std::string& kind) { return value.has(kind); });
+  load.kind = words::value_of<LoadKind>(words::load_kind, name);
+  if (value.has("facing")) load.facing = facing_of(value.at("facing"), load.kind, dimension);
   const Value& inner = value.at(name);
+  if (load.kind == LoadKind::pressure) {
+    load.component[0] = convert_expression(inner);
+    return load;
+  }
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string& axis = words::component[i];
     if (!inner.has(axis)) continue;

@@ -96,7 +96,7 @@ Key declare_deck(const std::vector<ModelDeclaration>& models) {
                "finite: bonds turn and stretch with the body; small: they keep their reference direction, "
                "which leaves out the geometric term and is cheaper, for small strains and rotations only.");
   deformation.example = "deformation: small";
-  Key quadrature = word_key("quadrature", words::quadrature, "whole",
+  Key quadrature = word_key("quadrature", words::quadrature, "position-aware",
                             "How much of a neighbour's volume counts near the horizon: all of it, the part inside the "
                             "horizon (linear taper, neighbours just outside included), or that taper without the "
                             "neighbours outside, as LAMMPS has it. position-aware: all of it, with weights and a fit "

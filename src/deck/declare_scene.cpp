@@ -130,19 +130,35 @@ Key declare_boundary() {
   displacement.keys.push_back(
       path_key("table", "The whole field from a CSV file with the header t,x,y,z,ux,uy,uz (t may be left out)."));
   displacement.alternatives = {{"x", "y", "z"}, {"table"}};
+  Key facing =
+      point_key("facing", "-",
+                "Of a traction or a pressure: a direction; only faces that look this way count, and a traction "
+                "acts on their area as it is seen from there.");
+  facing.required = false;
   Key element = map_key("", "One load.",
                         {required(text_key("set", "Where the load acts: a set's or body's name, or all.")),
                          displacement, components("force", "force", "Force, total over the set.", "force"),
-                         components("body_force", "force/volume", "Force per volume.", "force per volume")});
+                         components("body_force", "force/volume", "Force per volume.", "force per volume"),
+                         components("traction", "stress",
+                                    "Force per area of the reference surface, on the exposed faces of the set's "
+                                    "particles; only on lattices.",
+                                    "traction"),
+                         expression_key("pressure", "stress",
+                                        "Pressure into the body, along the normals of the reference surface, on the "
+                                        "exposed faces of the set's particles: a number or a formula of x, y, z, t; "
+                                        "only on lattices."),
+                         facing});
   element.place = "a load";
-  element.alternatives = {{"displacement"}, {"force"}, {"body_force"}};
+  element.alternatives = {{"displacement"}, {"force"}, {"body_force"}, {"traction"}, {"pressure"}};
   Key key = list_key("boundary", "Prescribed displacements and applied forces.", element);
   key.fallback = "[]";
   key.example =
       "boundary:\n"
       "  - {set: foot, displacement: {x: 0, y: 0, z: 0}}\n"
       "  - {set: head, displacement: {z: \"0.3*t\"}}\n"
-      "  - {set: all, body_force: {y: \"-1e-3*min(t, 1)\"}}";
+      "  - {set: all, body_force: {y: \"-1e-3*min(t, 1)\"}}\n"
+      "  - {set: head, traction: {z: \"200*t\"}, facing: [0, 0, 1]}\n"
+      "  - {set: bore, pressure: \"50*t\"}";
   return key;
 }
 

@@ -19,10 +19,12 @@ inline const std::vector<std::string> linear_method{"automatic", "cg", "gmres", 
 inline const std::vector<std::string> preconditioner{
     "automatic", "none", "two-level", "block-jacobi", "jacobi", "symmetric-gauss-seidel", "chebyshev", "ilu"};
 inline const std::vector<std::string> component{"x", "y", "z"};
+inline const std::vector<std::string> load_kind{"displacement", "force", "body_force", "traction", "pressure"};
 inline const std::vector<std::string> history_kind{"reaction", "displacement", "yielded"};
 /// Fields that every scene carries; the material models add their own.
-inline const std::vector<std::string> field{"displacement", "force",         "dilatation",
-                                            "damage",       "stored_energy", "weighted_volume"};
+inline const std::vector<std::string> field{"displacement",     "force",           "dilatation", "damage",
+                                            "stored_energy",    "weighted_volume", "stress",     "strain",
+                                            "von_mises_stress", "plastic_work"};
 
 /// The enumeration's value for a word that the schema has already accepted.
 template <class Enumeration>

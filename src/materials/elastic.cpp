@@ -4,8 +4,8 @@
 
 namespace perinox::materials {
 
-Elastic::Elastic(double bulk, double shear, bool with_dilatation)
-    : bulk_(bulk), shear_(shear), with_dilatation_(with_dilatation) {}
+Elastic::Elastic(double bulk, double shear, bool with_dilatation, deck::Dimension dimension)
+    : bulk_(bulk), shear_(shear), with_dilatation_(with_dilatation), dimension_(dimension) {}
 
 PointState Elastic::state(const FamilySums& sums, const double*, double*) const {
   const double d = sums.dimension;
@@ -18,6 +18,10 @@ PointState Elastic::state(const FamilySums& sums, const double*, double*) const 
   point.pressure = bulk_ * theta;
   point.radial = d * point.pressure / m - alpha * point.mean;
   point.response.dilatation = theta;
+  // Out of the plane: sigma = lambda theta in plane strain, eps = -lambda/(lambda + 2 mu) theta in plane stress, where
+  // the plane bulk moduli are lambda + mu and (lambda + mu) less lambda^2/(lambda + 2 mu).
+  if (dimension_ == deck::Dimension::plane_strain) point.response.stress_zz = (bulk_ - shear_) * theta;
+  if (dimension_ == deck::Dimension::plane_stress) point.response.strain_zz = -(bulk_ - shear_) / (2 * shear_) * theta;
   point.response.stored_energy = 0.5 * (bulk_ * theta * theta + alpha * sums.square_about(point.mean));
   return point;
 }
@@ -49,7 +53,7 @@ namespace {
 std::unique_ptr<Material> make_elastic(const deck::Material& material, deck::Dimension dimension) {
   const ElasticConstants constants = elastic_constants(material);
   return std::make_unique<Elastic>(constants.bulk_of(dimension), constants.shear,
-                                   material.parameters.at("dilatation").boolean());
+                                   material.parameters.at("dilatation").boolean(), dimension);
 }
 
 PERINOX_REGISTER_MATERIAL(

@@ -70,6 +70,11 @@ PointState ElasticPlastic::state(const FamilySums& sums, const double* committed
   return point;
 }
 
+double ElasticPlastic::plastic_work(const double* point) const {
+  const double plastic_shear = root3 * point[equivalent_strain];
+  return (parameters_.yield_shear + 0.5 * parameters_.hardening_shear * plastic_shear) * plastic_shear;
+}
+
 PointModulus ElasticPlastic::modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const {
   const double d = sums.dimension;
   const double m = sums.weighted_volume;

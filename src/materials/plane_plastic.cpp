@@ -104,7 +104,17 @@ PointState PlanePlastic::state(const FamilySums& sums, const double* committed, 
   response.dissipation = r.potential;
   response.hardening_potential = r.potential;
   response.yielding = r.yielding;
+  const double z = trial[strain_zz];
+  if (stress_)
+    response.strain_zz = z - (plane_bulk_ - mu) / (2 * mu) * (r.dilatation + z);
+  else
+    response.stress_zz = parameters_.bulk * r.dilatation + 2 * mu * out;
   return point;
+}
+
+double PlanePlastic::plastic_work(const double* point) const {
+  const double plastic_shear = root3 * point[equivalent_strain];
+  return (parameters_.yield_shear + 0.5 * parameters_.hardening_shear * plastic_shear) * plastic_shear;
 }
 
 PointModulus PlanePlastic::modulus(const FamilySums& sums, const double* committed, deck::TangentForm) const {

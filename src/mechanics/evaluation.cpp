@@ -17,22 +17,10 @@ void Evaluation::at(const Scene& scene, const Committed& committed, const double
 
 materials::FamilySums Evaluation::sums(const Scene& scene, const Committed& committed, LocalIndex i,
                                        materials::StrainFit& fit) const {
-  materials::FamilySums sums;
-  sums.extension = sums_.extension[i];
-  sums.plastic = sums_.plastic.empty() ? 0 : sums_.plastic[i];
-  sums.square = sums_.square[i];
-  sums.shift = committed.mean()[i];
-  sums.weighted_volume = scene.families().weighted_volume[i];
-  sums.continuum_weighted_volume = scene.families().continuum_weighted_volume;
-  sums.dimension = scene.dimension();
-  if (const bonds::Moment* moment = scene.families().moment(i)) {
-    const auto m = static_cast<std::size_t>(scene.families().fit[i]);
-    fit = materials::fit(*moment, sums_.fit[m], sums_.plastic_fit[m], sums.square, sums.shift);
-    sums.fitted = true;
-    sums.extension = sums.weighted_volume * fit.dilatation / sums.dimension;
-    sums.square = fit.square;
-  }
-  return sums;
+  const bonds::Mandel none{};
+  const auto m = static_cast<std::size_t>(scene.families().moment(i) ? scene.families().fit[i] : 0);
+  return scene.families().moment(i) ? family_sums(scene, committed, sums_, i, sums_.fit[m], sums_.plastic_fit[m], fit)
+                                    : family_sums(scene, committed, sums_, i, none, none, fit);
 }
 
 }  // namespace perinox::mechanics

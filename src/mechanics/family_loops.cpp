@@ -1,17 +1,51 @@
 #include "perinox/mechanics/family_loops.hpp"
 
+#include <numeric>
+
 #include "lattice_loops.hpp"
 #include "pair_loops.hpp"
 
 namespace perinox::mechanics {
 
-std::unique_ptr<FamilyLoops> FamilyLoops::make(const Scene& scene) {
-  if (scene.lattice()) return std::make_unique<LatticeLoops>(scene);
-  return std::make_unique<PairLoops>(scene);
+materials::FamilySums family_sums(const Scene& scene, const Committed& committed, const StrainSums& strains,
+                                  LocalIndex i, const bonds::Mandel& of_fit, const bonds::Mandel& plastic_fit,
+                                  materials::StrainFit& fit) {
+  materials::FamilySums sums;
+  sums.extension = strains.extension[i];
+  sums.plastic = strains.plastic.empty() ? 0 : strains.plastic[i];
+  sums.square = strains.square[i];
+  sums.shift = committed.mean()[i];
+  sums.weighted_volume = scene.families().weighted_volume[i];
+  sums.continuum_weighted_volume = scene.families().continuum_weighted_volume;
+  sums.dimension = scene.dimension();
+  if (const bonds::Moment* moment = scene.families().moment(i)) {
+    fit = materials::fit(*moment, of_fit, plastic_fit, sums.square, sums.shift);
+    sums.fitted = true;
+    sums.extension = sums.weighted_volume * fit.dilatation / sums.dimension;
+    sums.square = fit.square;
+  }
+  return sums;
 }
 
-FamilyLoops::FamilyLoops(const Scene& scene)
+std::unique_ptr<FamilyLoops> FamilyLoops::make(const Scene& scene) {
+  const Purpose purpose{scene.small_strain(), false};
+  if (scene.lattice()) return std::make_unique<LatticeLoops>(scene, purpose);
+  return std::make_unique<PairLoops>(scene, purpose);
+}
+
+std::unique_ptr<FamilyLoops> FamilyLoops::make_for_tensors(const Scene& scene, bool small_strain) {
+  const Purpose purpose{small_strain, true};
+  if (scene.lattice()) return std::make_unique<LatticeLoops>(scene, purpose);
+  return std::make_unique<PairLoops>(scene, purpose);
+}
+
+FamilyLoops::FamilyLoops(const Scene& scene, Purpose purpose)
     : halo_(scene.body().halo), d_(scene.dimension()), owned_(scene.owned()), local_(scene.local()) {
+  if (purpose.tensors) {
+    fitted_.resize(static_cast<std::size_t>(owned_));
+    std::iota(fitted_.begin(), fitted_.end(), 0);
+    return;
+  }
   const bonds::Families& families = scene.families();
   fit_of_ = families.fit;
   fitted_.resize(families.moments.size());

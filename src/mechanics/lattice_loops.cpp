@@ -15,10 +15,10 @@ constexpr int u = 0, x = 3, law = 6, mean = 10, out = 11, state = 20, change = 2
 }
 }  // namespace
 
-LatticeLoops::LatticeLoops(const Scene& scene)
-    : FamilyLoops(scene),
+LatticeLoops::LatticeLoops(const Scene& scene, Purpose purpose)
+    : FamilyLoops(scene, purpose),
       families_(*scene.lattice()),
-      small_(scene.small_strain()),
+      small_(purpose.small_strain),
       plastic_body_(scene.plastic()),
       moved_(!small_ || plastic_body_) {
   const bonds::CellGrid& grid = families_.grid();

@@ -7,7 +7,7 @@ namespace perinox::mechanics {
 
 class LatticeLoops : public FamilyLoops {
  public:
-  explicit LatticeLoops(const Scene& scene);
+  LatticeLoops(const Scene& scene, Purpose purpose);
 
   void strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
                    StrainSums& sums) override;

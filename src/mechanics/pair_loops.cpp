@@ -7,11 +7,11 @@
 
 namespace perinox::mechanics {
 
-PairLoops::PairLoops(const Scene& scene)
-    : FamilyLoops(scene),
+PairLoops::PairLoops(const Scene& scene, Purpose purpose)
+    : FamilyLoops(scene, purpose),
       families_(*scene.pairs()),
       slot_(families_.slot()),
-      small_(scene.small_strain()),
+      small_(purpose.small_strain),
       plastic_body_(scene.plastic()) {
   require(reference_);
   put(scene.body().reference.data(), d_, 0, local_, reference_, 0);
@@ -262,7 +262,9 @@ void PairLoops::product_law() {
 
 void PairLoops::product_forces(Bonds bonds) { sweep(kernels::sweeps().pairs.product_forces, product_view(bonds)); }
 
-void PairLoops::take_forces(LocalIndex first, LocalIndex last, double* y) const { take(out_[0], 0, d_, first, last, y); }
+void PairLoops::take_forces(LocalIndex first, LocalIndex last, double* y) const {
+  take(out_[0], 0, d_, first, last, y);
+}
 
 void PairLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
   const int n = bonds::mandel_size(d_);

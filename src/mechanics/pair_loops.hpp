@@ -6,7 +6,7 @@ namespace perinox::mechanics {
 
 class PairLoops : public FamilyLoops {
  public:
-  explicit PairLoops(const Scene& scene);
+  PairLoops(const Scene& scene, Purpose purpose);
 
   void strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
                    StrainSums& sums) override;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "perinox/output/agree.hpp"
@@ -56,7 +57,7 @@ void ResultsFile::require_room(double numbers) const {
 
 void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve::Field>& fields) {
   double columns = 0;
-  for (const solve::Field& field : fields) columns += field.components == 1 ? 1 : 3;
+  for (const solve::Field& field : fields) columns += std::max(1, XdmfIndex::columns_of(field.components));
   require_room(columns * static_cast<double>(order_.total()));
 
   const std::string group = fmt::format("/steps/{}", record.step);
@@ -68,15 +69,15 @@ void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve
   file.set_attribute(group, "newton_iterations", static_cast<GlobalId>(record.newton_iterations));
   file.set_attribute(group, "linear_iterations", static_cast<GlobalId>(record.linear_iterations));
   for (const solve::Field& field : fields) {
-    const bool vector = field.components > 1;
+    const int width = XdmfIndex::columns_of(field.components);
     const std::vector<double> rows = order_.to_rows(field.values, field.components);
     const std::string name = group + "/" + field.name;
-    if (vector)
+    if (width == 3)
       file.write_rows(name, three_columns(rows.data(), static_cast<std::size_t>(order_.rows()), field.components),
                       order_.total(), order_.first_row(), 3);
     else
-      file.write_rows(name, rows, order_.total(), order_.first_row());
-    shapes.push_back({field.name, vector});
+      file.write_rows(name, rows, order_.total(), order_.first_row(), width);
+    shapes.push_back({field.name, width});
   }
   file.close();
 

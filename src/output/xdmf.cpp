@@ -32,17 +32,22 @@ std::string escaped(const std::string& text) {
   return xml;
 }
 
-std::string item(const std::string& h5_name, const std::string& dataset, GlobalId rows, bool vector, bool integer,
+std::string item(const std::string& h5_name, const std::string& dataset, GlobalId rows, int columns, bool integer,
                  int bytes) {
   return fmt::format(R"(<DataItem Dimensions="{}{}" NumberType="{}" Precision="{}" Format="HDF">{}:{}</DataItem>)",
-                     rows, vector ? " 3" : "", integer ? "Int" : "Float", bytes, escaped(h5_name), dataset);
+                     rows, columns > 0 ? fmt::format(" {}", columns) : std::string(), integer ? "Int" : "Float", bytes,
+                     escaped(h5_name), dataset);
 }
 
-std::string attribute(const std::string& name, bool vector, const std::string& data) {
+std::string attribute(const std::string& name, int columns, const std::string& data) {
   return fmt::format(
       "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n          {}\n"
       "        </Attribute>\n",
-      escaped(name), vector ? "Vector" : "Scalar", data);
+      escaped(name),
+      columns == 6   ? "Tensor6"
+      : columns == 3 ? "Vector"
+                     : "Scalar",
+      data);
 }
 }  // namespace
 
@@ -55,14 +60,14 @@ void XdmfIndex::add_step(int step, double t, const std::vector<FieldShape>& fiel
       "      <Grid Name=\"step {0}\" GridType=\"Uniform\">\n        <Time Value=\"{1:.17g}\"/>\n"
       "        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{2}\" NodesPerElement=\"1\">\n          {3}\n"
       "        </Topology>\n        <Geometry GeometryType=\"XYZ\">\n          {4}\n        </Geometry>\n",
-      step, t, particles_, item(h5_name_, "/particles/id", particles_, false, true, 8),
-      item(h5_name_, "/particles/reference", particles_, true, false, 8));
+      step, t, particles_, item(h5_name_, "/particles/id", particles_, 0, true, 8),
+      item(h5_name_, "/particles/reference", particles_, 3, false, 8));
   for (const FieldShape& field : fields)
     steps_ +=
-        attribute(field.name, field.vector,
-                  item(h5_name_, fmt::format("/steps/{}/{}", step, field.name), particles_, field.vector, false, 8));
-  steps_ += attribute("block", false, item(h5_name_, "/particles/block", particles_, false, true, 4));
-  steps_ += attribute("volume", false, item(h5_name_, "/particles/volume", particles_, false, false, 8));
+        attribute(field.name, field.columns,
+                  item(h5_name_, fmt::format("/steps/{}/{}", step, field.name), particles_, field.columns, false, 8));
+  steps_ += attribute("block", 0, item(h5_name_, "/particles/block", particles_, 0, true, 4));
+  steps_ += attribute("volume", 0, item(h5_name_, "/particles/volume", particles_, 0, false, 8));
   steps_ += "      </Grid>\n";
 }
 

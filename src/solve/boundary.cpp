@@ -11,7 +11,27 @@ namespace perinox::solve {
 
 namespace {
 constexpr const char* axis = "xyz";
+
+bool on_surface(deck::LoadKind kind) { return kind == deck::LoadKind::traction || kind == deck::LoadKind::pressure; }
+
+/// Those of the set's exposed faces that look the way the load asks for, their area as the load counts it.
+std::vector<body::FaceShare> faces_of(const deck::Deck& deck, const body::Body& body, const deck::Load& load,
+                                      const std::vector<LocalIndex>& set) {
+  std::vector<body::FaceShare> faces = body::exposed_faces(deck, body, set, load.location);
+  if (!load.facing) return faces;
+  const auto along = [&](const body::FaceShare& face) {
+    return face.side * (*load.facing)[static_cast<std::size_t>(face.axis)];
+  };
+  faces.erase(std::remove_if(faces.begin(), faces.end(), [&](const auto& face) { return !(along(face) > 1e-9); }),
+              faces.end());
+  if (load.kind == deck::LoadKind::traction)
+    for (body::FaceShare& face : faces) face.area *= along(face);
+  if (!body.communicator.any(!faces.empty()))
+    deck::refuse(load.location,
+                 "no exposed face of the set looks the way facing says; turn it round or change the set");
+  return faces;
 }
+}  // namespace
 
 Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scene_(scene) {
   const body::Body& body = scene.body();
@@ -34,6 +54,8 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
           prescriber[unknown] = number;
         }
       }
+    } else if (on_surface(load.kind)) {
+      entry.faces = faces_of(deck, body, load, *entry.set);
     } else {
       for (const LocalIndex i : *entry.set) entry.set_volume += body.volume[i];
       entry.set_volume = body.communicator.sum(entry.set_volume);
@@ -74,14 +96,16 @@ void Boundary::check_finite(double t) const {
   std::string sentence;
   for (const Entry& entry : entries_) {
     if (entry.table) continue;
-    for (int c = 0; c < scene_.dimension() && sentence.empty(); ++c)
+    const bool pressure = entry.load->kind == deck::LoadKind::pressure;
+    for (int c = 0; c < (pressure ? 1 : scene_.dimension()) && sentence.empty(); ++c)
       for (const LocalIndex i : *entry.set) {
         if (std::isfinite(value(entry, c, i, t))) continue;
         const deck::Point x = scene_.body().position3(i);
         sentence = fmt::format(
-            "{}: the {} component is not a finite number at ({:g}, {:g}, {:g}) for t = {:g}; check "
+            "{}: the {} is not a finite number at ({:g}, {:g}, {:g}) for t = {:g}; check "
             "the formula {}",
-            entry.load->location.text(), axis[c], x[0], x[1], x[2], t, entry.load->component[c]->text());
+            entry.load->location.text(), pressure ? "pressure" : fmt::format("{} component", axis[c]), x[0], x[1], x[2],
+            t, entry.load->component[c]->text());
         break;
       }
   }
@@ -110,6 +134,10 @@ void Boundary::external_force(double t, double* force) const {
   std::fill(force, force + scene_.owned_unknowns(), 0.0);
   for (const Entry& entry : entries_) {
     if (entry.load->kind == deck::LoadKind::displacement) continue;
+    if (on_surface(entry.load->kind)) {
+      add_surface_force(entry, t, force);
+      continue;
+    }
     const bool total = entry.load->kind == deck::LoadKind::force;
     for (int c = 0; c < d; ++c) {
       if (!entry.load->component[c]) continue;
@@ -118,6 +146,20 @@ void Boundary::external_force(double t, double* force) const {
         force[static_cast<std::size_t>(i) * d + c] += share * value(entry, c, i, t);
       }
     }
+  }
+}
+
+void Boundary::add_surface_force(const Entry& entry, double t, double* force) const {
+  const auto d = static_cast<std::size_t>(scene_.dimension());
+  for (const body::FaceShare& face : entry.faces) {
+    double* at = force + static_cast<std::size_t>(face.particle) * d;
+    const deck::Point& x = face.center;
+    if (entry.load->kind == deck::LoadKind::pressure) {
+      at[face.axis] -= face.side * face.area * (*entry.load->component[0])(x[0], x[1], x[2], t);
+      continue;
+    }
+    for (std::size_t c = 0; c < d; ++c)
+      if (entry.load->component[c]) at[c] += face.area * (*entry.load->component[c])(x[0], x[1], x[2], t);
   }
 }
 

@@ -60,6 +60,12 @@ LoadStepper::LoadStepper(const deck::Deck& deck, const mechanics::Scene& scene)
       stored_energy_(static_cast<std::size_t>(scene.owned()), 0.0),
       history_names_(scene.point_history_names()),
       history_values_(history_names_.size(), std::vector<double>(static_cast<std::size_t>(scene.owned()), 0.0)) {
+  const auto asks = [&](const char* field) {
+    return std::find(deck.output.fields.begin(), deck.output.fields.end(), field) != deck.output.fields.end();
+  };
+  if (scene.from_sums() && (asks("stress") || asks("strain") || asks("von_mises_stress")))
+    stress_ = std::make_unique<mechanics::Stress>(scene);
+  if (asks("plastic_work")) plastic_work_.resize(static_cast<std::size_t>(scene.owned()));
   for (const auto& material : scene.materials()) {
     std::vector<std::size_t>& places = history_place_.emplace_back();
     for (const std::string& name : material->history().point)
@@ -89,10 +95,11 @@ void LoadStepper::run(Observer& observer) {
     clock.accept(t);
     commit(std::move(trial), std::move(force));
     last_result_ = result;
-    StepRecord row = record(result);
+    const bool last = clock.finished();
+    StepRecord row = record(result, last || step_ % deck_.output.every == 0);
     row.seconds = now() - step_begin;
     row.remaining_seconds = (now() - begin) * (deck_.steps.end - t) / t;
-    row.last = clock.finished();
+    row.last = last;
     const ProfileReading reading = ranks.profile().read();
     row.profile = ranks.slowest(reading - told);
     told = reading;
@@ -101,8 +108,8 @@ void LoadStepper::run(Observer& observer) {
   }
 }
 
-void LoadStepper::stop(Observer& observer, double t, const NewtonResult& result) const {
-  const StepRecord last = record(last_result_);
+void LoadStepper::stop(Observer& observer, double t, const NewtonResult& result) {
+  const StepRecord last = record(last_result_, true);
   observer.run_stopped(step_ > 0 ? &last : nullptr);
   throw RunError(fmt::format(
       "stopped at t = {:.10g} of {:g}, after {} converged steps: the step to t = {:.10g} does not converge{}; {}",
@@ -154,7 +161,7 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) 
   }
 }
 
-StepRecord LoadStepper::record(const NewtonResult& result) const {
+StepRecord LoadStepper::record(const NewtonResult& result, bool written) {
   StepRecord row;
   row.step = step_;
   row.t = committed_.t();
@@ -165,7 +172,7 @@ StepRecord LoadStepper::record(const NewtonResult& result) const {
   row.external_work = energies_.external_work;
   row.end = deck_.steps.end;
   row.history = history();
-  row.fields = fields();
+  row.fields = fields(written);
   return row;
 }
 
@@ -195,7 +202,7 @@ double LoadStepper::entry_value(const deck::HistoryEntry& entry) const {
   return entry.kind == deck::HistoryKind::reaction ? sums[0] : sums[0] / sums[1];
 }
 
-std::vector<Field> LoadStepper::fields() const {
+std::vector<Field> LoadStepper::fields(bool written) {
   std::vector<Field> all{{"displacement", scene_.dimension(), committed_.displacement().data()},
                          {"force", scene_.dimension(), force_.data()},
                          {"dilatation", 1, dilatation_.data()},
@@ -204,6 +211,17 @@ std::vector<Field> LoadStepper::fields() const {
                          {"weighted_volume", 1, scene_.families().weighted_volume.data()}};
   for (std::size_t k = 0; k < history_names_.size(); ++k)
     all.push_back({history_names_[k], 1, history_values_[k].data()});
+  if (!plastic_work_.empty()) {
+    for (LocalIndex i = 0; i < scene_.owned(); ++i)
+      plastic_work_[i] = scene_.material(i).plastic_work(committed_.point_history(scene_, i));
+    all.push_back({"plastic_work", 1, plastic_work_.data()});
+  }
+  if (stress_) {
+    if (written) stress_->evaluate(committed_);
+    all.push_back({"stress", 6, stress_->stress().data()});
+    all.push_back({"strain", 6, stress_->strain().data()});
+    all.push_back({"von_mises_stress", 1, stress_->von_mises().data()});
+  }
   return all;
 }
 

@@ -107,9 +107,10 @@ const Mistake mistakes_in_decks[] = {
     {"unknown_quadrature", &base_deck, "quadrature: whole", "quadrature: gauss",
      "deck.yaml:10:13: quadrature cannot be 'gauss'; it can be whole, partial-volume, taper-inside or "
      "position-aware"},
-    {"unknown_field", &base_deck, "[displacement, force]", "[displacement, stress]",
-     "deck.yaml:28:43: an entry of fields cannot be 'stress'; it can be displacement, force, dilatation, "
-     "damage, stored_energy, weighted_volume, plastic_multiplier, equivalent_plastic_strain or plastic_strain_zz"},
+    {"unknown_field", &base_deck, "[displacement, force]", "[displacement, heat]",
+     "deck.yaml:28:43: an entry of fields cannot be 'heat'; it can be displacement, force, dilatation, damage, "
+     "stored_energy, weighted_volume, stress, strain, von_mises_stress, plastic_work, plastic_multiplier, "
+     "equivalent_plastic_strain or plastic_strain_zz"},
     {"unknown_material", &base_deck, "material: steel", "material: stele",
      "deck.yaml:7:15: stele is not the name of a material; did you mean steel?"},
     {"unknown_set", &base_deck, "{set: head, displacement", "{set: haed, displacement",

@@ -143,7 +143,7 @@ const Mistake mistakes[] = {
     {"material_choice_with_two", base, "{tension: 203.1}", "{tension: 203.1, shear: 100}", "16:36",
      "materials.steel.yield_stress has both tension and shear, but these exclude each other; keep one"},
     {"load_with_none", base, "  - set: head\n    displacement: {z: \"0.3*t\"}", "  - set: head", "22:5",
-     "a load needs exactly one of displacement, force or body_force, but has none"},
+     "a load needs exactly one of displacement, force, body_force, traction or pressure, but has none"},
     {"load_with_two", base, "    displacement: {z: \"0.3*t\"}", "    displacement: {z: \"0.3*t\"}\n    force: {x: 1}",
      "24:5", "a load has both displacement and force, but these exclude each other; keep one"},
     {"displacement_with_nothing", base, "{x: 0, y: 0, z: 0}", "{}", "21:31",
@@ -160,9 +160,14 @@ const Mistake mistakes[] = {
      "dimension cannot be '2'; it can be 3, plane-strain or plane-stress"},
     {"unknown_model", base, "model: elastic-plastic", "model: elastic-plastik", "13:12",
      "model cannot be 'elastic-plastik'; did you mean elastic-plastic?"},
-    {"unknown_field", base, "[displacement, force]", "[displacement, stress]", "28:43",
-     "an entry of fields cannot be 'stress'; it can be displacement, force, dilatation, damage, stored_energy, "
-     "weighted_volume, plastic_multiplier or equivalent_plastic_strain"},
+    {"unknown_field", base, "[displacement, force]", "[displacement, heat]", "28:43",
+     "an entry of fields cannot be 'heat'; it can be displacement, force, dilatation, damage, stored_energy, "
+     "weighted_volume, stress, strain, von_mises_stress, plastic_work, plastic_multiplier or "
+     "equivalent_plastic_strain"},
+    {"facing_of_a_force", base, "displacement: {z: \"0.3*t\"}", "force: {z: 1}\n    facing: [0, 0, 1]", "24:13",
+     "facing chooses faces of the surface and goes with traction or pressure only; remove it"},
+    {"facing_nowhere", base, "displacement: {z: \"0.3*t\"}", "traction: {z: 1}\n    facing: [0, 0, 0]", "24:13",
+     "facing has length 0 and points nowhere; give a direction"},
     {"field_twice", base, "[displacement, force]", "[force, force]", "28:36",
      "force is named twice in fields; remove one"},
     {"unknown_influence", base, "influence: constant", "influence: Constant", "9:12",

@@ -70,7 +70,8 @@ TEST(Read, DefaultsOfSchemaAndStructsAgree) {
   EXPECT_EQ(deck.title, "small");
   EXPECT_EQ(deck.bond_bodies, Deck().bond_bodies);
   EXPECT_EQ(deck.influence, Influence::constant);
-  EXPECT_EQ(deck.quadrature, Quadrature::whole);
+  EXPECT_EQ(deck.quadrature, Deck().quadrature);
+  EXPECT_EQ(deck.quadrature, Quadrature::position_aware);
   EXPECT_EQ(deck.steps.end, Steps().end);
   EXPECT_EQ(deck.steps.count, Steps().count);
   EXPECT_EQ(deck.steps.adaptive, Steps().adaptive);
@@ -105,14 +106,10 @@ TEST(Read, EveryWordReachesItsEnumeration) {
   EXPECT_EQ(with("solver.linear.method=cg").solver.linear.method, LinearMethod::cg);
   EXPECT_EQ(with("solver.linear.method=gmres").solver.linear.method, LinearMethod::gmres);
   const std::vector<std::pair<std::string, Preconditioner>> preconditioners{
-      {"automatic", Preconditioner::automatic},
-      {"none", Preconditioner::none},
-      {"two-level", Preconditioner::two_level},
-      {"block-jacobi", Preconditioner::block_jacobi},
-      {"jacobi", Preconditioner::jacobi},
-      {"symmetric-gauss-seidel", Preconditioner::symmetric_gauss_seidel},
-      {"chebyshev", Preconditioner::chebyshev},
-      {"ilu", Preconditioner::ilu}};
+      {"automatic", Preconditioner::automatic}, {"none", Preconditioner::none},
+      {"two-level", Preconditioner::two_level}, {"block-jacobi", Preconditioner::block_jacobi},
+      {"jacobi", Preconditioner::jacobi},       {"symmetric-gauss-seidel", Preconditioner::symmetric_gauss_seidel},
+      {"chebyshev", Preconditioner::chebyshev}, {"ilu", Preconditioner::ilu}};
   for (const auto& [word, value] : preconditioners) {
     const Deck deck = read_base({"solver.tangent=assembled", "solver.linear.preconditioner=" + word});
     EXPECT_EQ(deck.solver.linear.preconditioner, value) << word;

@@ -41,12 +41,14 @@ inline void add_box(deck::Deck& deck, const deck::Point& min, const deck::Point&
   deck.body.push_back(part);
 }
 
-/// An empty deck with `count` materials, which the caller hands to make_scene ready-made.
+/// An empty deck with `count` materials, which the caller hands to make_scene ready-made. Whole neighbours: a test that
+/// wants another quadrature says so.
 inline deck::Deck empty_deck(deck::Dimension dimension, double horizon, std::size_t count = 1) {
   deck::Deck deck;
   deck.file = "scene.yaml";
   deck.dimension = dimension;
   deck.horizon.length = horizon;
+  deck.quadrature = deck::Quadrature::whole;
   for (std::size_t m = 0; m < count; ++m) {
     deck::Material material;
     material.name = "material_" + std::to_string(m);

@@ -120,13 +120,14 @@ struct Set {
   std::variant<SetWhere, SetBox, SetIds, SetBody> form;
 };
 
-enum class LoadKind { displacement, force, body_force };
+enum class LoadKind { displacement, force, body_force, traction, pressure };
 /// One entry of `boundary`. Components not named are free (displacement) or zero (forces).
 struct Load {
   Location location;
   std::string set;
   LoadKind kind = LoadKind::displacement;
-  std::array<std::optional<Expression>, 3> component;
+  std::array<std::optional<Expression>, 3> component;  ///< of a pressure: the first
+  std::optional<Point> facing;  ///< traction and pressure: only faces whose outward normal has a part along this
   /// Displacement only: the whole field from a CSV table instead of expressions.
   std::optional<std::string> table;
   Location table_location;
@@ -194,7 +195,7 @@ struct Deck {
   bool bond_bodies = true;  ///< particles of different bodies form bonds
   Horizon horizon;
   Influence influence = Influence::constant;
-  Quadrature quadrature = Quadrature::whole;
+  Quadrature quadrature = Quadrature::position_aware;
   bool small_strain = false;  ///< deformation: small
   std::vector<Crack> cracks;
   std::vector<Material> materials;

@@ -8,7 +8,7 @@ namespace perinox::materials {
 class Elastic : public Material {
  public:
   /// bulk: kappa of the dimension at hand. with_dilatation false: theta is taken as zero, a bond-by-bond solid.
-  Elastic(double bulk, double shear, bool with_dilatation);
+  Elastic(double bulk, double shear, bool with_dilatation, deck::Dimension dimension = deck::Dimension::three);
 
   using Material::modulus;
   bool takes_fit() const override { return with_dilatation_; }
@@ -21,6 +21,7 @@ class Elastic : public Material {
   double bulk_;
   double shear_;
   bool with_dilatation_;
+  deck::Dimension dimension_;
 };
 
 }  // namespace perinox::materials

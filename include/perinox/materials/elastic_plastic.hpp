@@ -23,6 +23,7 @@ class ElasticPlastic : public Material {
   using Material::modulus;
   bool takes_fit() const override { return parameters_.with_dilatation; }
   PointState state(const FamilySums& sums, const double* committed, double* trial) const override;
+  double plastic_work(const double* point) const override;
   PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const override;
   ElasticModuli elastic_moduli(int dimension) const override;
   std::string summary() const override;

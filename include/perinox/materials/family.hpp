@@ -67,6 +67,8 @@ struct PointResponse {
   double dissipation = 0;          ///< plastic work of this step, the yield stress over its flow, energy a volume, >= 0
   double hardening_potential = 0;  ///< work of the yield value over the step's flow; W + this is t's potential
   bool yielding = false;           ///< plastic flow in this step
+  double stress_zz = 0;            ///< 2-D: stress out of the plane
+  double strain_zz = 0;            ///< 2-D: strain out of the plane
 };
 
 /// Force state of one point, t<xi> = omega (radial xi + shear (e - e_p)), and what follows from it.

@@ -36,6 +36,9 @@ class Material {
   /// the trial one (both [HistoryLayout::point.size()]).
   virtual PointState state(const FamilySums& sums, const double* committed, double* trial) const;
 
+  /// Work that plastic flow has dissipated up to a state, energy a volume, of its point history.
+  virtual double plastic_work(const double* /*point*/) const { return 0; }
+
   /// dt/de of state() at the same sums and committed history.
   /// `printed` gives the modulus state as the source paper prints it, where that differs.
   virtual PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const;

@@ -21,6 +21,7 @@ class PlanePlastic : public Material {
   using Material::modulus;
   bool takes_fit() const override { return true; }
   PointState state(const FamilySums& sums, const double* committed, double* trial) const override;
+  double plastic_work(const double* point) const override;
   /// There is no printed form: the consistent one is returned for either.
   PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const override;
   ElasticModuli elastic_moduli(int dimension) const override;

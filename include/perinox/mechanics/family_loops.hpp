@@ -6,6 +6,7 @@
 
 #include "perinox/mechanics/plastic_extension.hpp"
 #include "perinox/mechanics/scene.hpp"
+#include "perinox/mechanics/state.hpp"
 
 namespace perinox::mechanics {
 
@@ -14,6 +15,12 @@ struct StrainSums {
   std::vector<double> extension, plastic, square;
   std::vector<bonds::Mandel> fit, plastic_fit;  ///< [moments] sum omega xi N e weight, and of e_p
 };
+
+/// What the materials see of the sums of particle i. of_fit, plastic_fit: its own, read where its strain is fitted;
+/// fit: what they say then.
+materials::FamilySums family_sums(const Scene& scene, const Committed& committed, const StrainSums& strains,
+                                  LocalIndex i, const bonds::Mandel& of_fit, const bonds::Mandel& plastic_fit,
+                                  materials::StrainFit& fit);
 
 /// Coefficients of every owned particle's tangent: see materials::PointState and PointModulus. [owned] each.
 struct TangentLaw {
@@ -41,6 +48,8 @@ struct LoopMemory {
 class FamilyLoops {
  public:
   static std::unique_ptr<FamilyLoops> make(const Scene& scene);
+  /// For strain_sums only, which then have `fit` and `plastic_fit` of every owned particle, in their order.
+  static std::unique_ptr<FamilyLoops> make_for_tensors(const Scene& scene, bool small_strain);
   virtual ~FamilyLoops() = default;
   FamilyLoops(const FamilyLoops&) = delete;
   FamilyLoops& operator=(const FamilyLoops&) = delete;
@@ -75,7 +84,12 @@ class FamilyLoops {
   virtual std::size_t bytes() const = 0;
 
  protected:
-  explicit FamilyLoops(const Scene& scene);
+  /// What the loops are for.
+  struct Purpose {
+    bool small_strain;
+    bool tensors;  ///< sums of tensors at every particle
+  };
+  FamilyLoops(const Scene& scene, Purpose purpose);
 
   /// The bonds that reach no ghost, or the others.
   enum class Bonds { inner, outer };

@@ -12,8 +12,10 @@ class XdmfIndex {
  public:
   struct FieldShape {
     std::string name;
-    bool vector = false;  ///< [n, 3], otherwise [n]
+    int columns = 0;  ///< 0: [n]; 3: vectors [n, 3]; 6: symmetric tensors xx xy xz yy yz zz [n, 6]
   };
+  /// Of a field of so many components; 2-D vectors are written with three.
+  static int columns_of(int components) { return components == 1 ? 0 : components == 6 ? 6 : 3; }
 
   /// h5_name: of the HDF5 file, relative to the index; particles: rows of every dataset.
   XdmfIndex(std::string title, std::string h5_name, GlobalId particles);

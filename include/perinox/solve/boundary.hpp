@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "perinox/body/exposed_faces.hpp"
 #include "perinox/body/field_table.hpp"
 #include "perinox/deck/deck.hpp"
 #include "perinox/mechanics/scene.hpp"
@@ -26,7 +27,8 @@ class Boundary {
   /// Writes the prescribed values at t into displacement [owned * dimension]; leaves free unknowns alone. Where two
   /// entries prescribe one unknown the later one wins..
   void impose(double t, double* displacement) const;
-  /// External forces at t: [owned * dimension], force. A total force is spread over its set by volume.
+  /// External forces at t: [owned * dimension], force. A total force is spread over its set by volume; tractions and
+  /// pressures act on the reference surface and do not turn with it.
   void external_force(double t, double* force) const;
   /// One sentence for each unknown prescribed twice, at most one per pair of entries; for the log.
   const std::vector<std::string>& remarks() const { return remarks_; }
@@ -37,7 +39,9 @@ class Boundary {
     const std::vector<LocalIndex>* set;
     std::optional<body::FieldTable> table;
     double set_volume = 0;
+    std::vector<body::FaceShare> faces{};  ///< traction and pressure
   };
+  void add_surface_force(const Entry& entry, double t, double* force) const;
   void check_finite(double t) const;
   double value(const Entry& entry, int component, LocalIndex i, double t) const;
 

@@ -6,6 +6,7 @@
 
 #include "perinox/deck/deck.hpp"
 #include "perinox/mechanics/state.hpp"
+#include "perinox/mechanics/stress.hpp"
 #include "perinox/solve/boundary.hpp"
 #include "perinox/solve/newton.hpp"
 #include "perinox/solve/record.hpp"
@@ -45,12 +46,13 @@ class LoadStepper {
   struct Clock;
   std::vector<double> first_guess(double t) const;
   void commit(mechanics::Trial&& trial, std::vector<double>&& force);
-  StepRecord record(const NewtonResult& result) const;
+  /// written: the fields that cost something are made too.
+  StepRecord record(const NewtonResult& result, bool written);
   /// Tells the observer and throws RunError with the reason.
-  [[noreturn]] void stop(Observer& observer, double t, const NewtonResult& result) const;
+  [[noreturn]] void stop(Observer& observer, double t, const NewtonResult& result);
   std::vector<double> history() const;
   double entry_value(const deck::HistoryEntry& entry) const;
-  std::vector<Field> fields() const;
+  std::vector<Field> fields(bool written);
 
   const deck::Deck& deck_;
   const mechanics::Scene& scene_;
@@ -68,6 +70,8 @@ class LoadStepper {
   std::vector<std::string> history_names_;
   std::vector<std::vector<std::size_t>> history_place_;  ///< [material][point variable] index into history_names_
   std::vector<std::vector<double>> history_values_;      ///< point history spread over all owned particles
+  std::unique_ptr<mechanics::Stress> stress_;            ///< where the deck asks for a field that needs it
+  std::vector<double> plastic_work_;                     ///< [owned] if the deck asks for it
   int step_ = 0;
   NewtonResult last_result_;  ///< of the committed step
 };

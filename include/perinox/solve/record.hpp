@@ -24,7 +24,7 @@ struct NewtonIteration {
 /// A point field of the owned particles, in the body's own order.
 struct Field {
   std::string name;
-  int components = 1;              ///< 1, or the body's dimension
+  int components = 1;              ///< 1; the body's dimension; 6: symmetric tensor xx xy xz yy yz zz
   const double* values = nullptr;  ///< [owned * components]
 };
 
@@ -45,7 +45,7 @@ struct StepRecord {
   double remaining_seconds = 0;  ///< estimate to the end
   double end = 0;                ///< t at the end of the run
   std::vector<double> history;   ///< one value per deck.history entry
-  std::vector<Field> fields;     ///< every field the scene carries
+  std::vector<Field> fields;     ///< every field the scene carries; stress and strain of the last written step
   bool last = false;
 };
 
