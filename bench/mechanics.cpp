@@ -57,7 +57,7 @@ struct Cube {
     const std::string yaml = fmt::format(
         "dimension: 3\n"
         "body: [{{name: cube, {}, material: aluminium}}]\n"
-        "horizon: {{length: 3.015}}\n"
+        "horizon: {{length: 3.015}}\nquadrature: whole\n"
         "materials: {{aluminium: {{model: {}, bulk_modulus: 67.5e3, shear_modulus: 25.9e3{}}}}}\n",
         shape, plastic ? "elastic-plastic" : "elastic", plastic ? ", yield_stress: {shear: 117.3}" : "");
     return deck::read_text(yaml, "bench.yaml", deck::Schema(materials::declarations()));

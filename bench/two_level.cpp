@@ -92,7 +92,7 @@ deck::Deck make_deck(const std::string& scene, int n, const Options& options) {
         "boundary:\n  - {{set: a, displacement: {{x: 0, y: 0, z: 0}}}}\n  - {{set: all, force: {{z: \"t\"}}}}\n",
         n - 1, n * (n - 1), n * n * (n - 1) + n / 2);
   const std::string yaml = fmt::format(
-      "dimension: {}\nbody:\n  - {{name: cube, shape: {}, {}, material: hard}}{}\nhorizon: {{ratio: {}}}\n"
+      "dimension: {}\nbody:\n  - {{name: cube, shape: {}, {}, material: hard}}{}\nhorizon: {{ratio: {}}}\nquadrature: whole\n"
       "materials:\n  hard: {{model: elastic, young_modulus: {}, poisson_ratio: {}}}\n{}{}{}steps: {{end: 1, count: "
       "1}}\n",
       flat ? scene.substr(6) == "strain" ? "plane-strain" : "plane-stress" : "3", shape, body, second,

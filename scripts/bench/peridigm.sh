@@ -39,7 +39,7 @@ peridigm_deck() {
   awk -v n="$n" -v scene="$scene" -v model="$model" -v pull="$pull" -v steps="$steps" -v tolerance="$3" 'BEGIN {
     printf "title: %s, %d^3\ndimension: 3\n", scene, n
     printf "body: [{name: cube, shape: {box: {min: [0, 0, 0], max: [1, 1, 1]}}, spacing: %.17g, material: aluminium}]\n", 1 / n
-    printf "horizon: {ratio: 3.015}\n"
+    printf "horizon: {ratio: 3.015}\nquadrature: whole\n"
     printf "materials: {aluminium: {model: %s, bulk_modulus: 67.5e9, shear_modulus: 25.9e9}}\n", model
     printf "sets: {foot: {where: \"z < %.17g\"}, head: {where: \"z > %.17g\"}}\n", 3 / n, 1 - 3 / n
     printf "boundary:\n  - {set: foot, displacement: {x: 0, y: 0, z: 0}}\n"

@@ -19,6 +19,7 @@ title: $scene, $n^3
 dimension: 3
 body: [{name: cube, shape: {box: {min: [0, 0, 0], max: [$n, $n, $n]}}, spacing: 1, material: aluminium}]
 horizon: {ratio: 3.015}
+quadrature: whole
 materials: {aluminium: {model: $model, bulk_modulus: 67.5e3, shear_modulus: 25.9e3}}
 sets: {foot: {where: "z < 3"}, head: {where: "z > $((n - 3))"}}
 boundary:
