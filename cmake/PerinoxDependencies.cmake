@@ -41,6 +41,8 @@ find_package(PkgConfig QUIET)
 perinox_require(PkgConfig_FOUND pkg-config "pkg-config")
 pkg_check_modules(MUPARSER QUIET IMPORTED_TARGET muparser)
 perinox_require(MUPARSER_FOUND libmuparser-dev "the muParser library")
+pkg_check_modules(CAIRO QUIET IMPORTED_TARGET cairo-svg cairo-png)
+perinox_require(CAIRO_FOUND libcairo2-dev "the cairo library")
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 QUIET COMPONENTS C)
 perinox_require(HDF5_IS_PARALLEL libhdf5-openmpi-dev "the HDF5 library built for MPI")
@@ -53,4 +55,4 @@ target_include_directories(perinox_dependencies SYSTEM INTERFACE
 target_compile_definitions(perinox_dependencies INTERFACE ${HDF5_C_DEFINITIONS})
 target_link_libraries(perinox_dependencies INTERFACE
   ${Trilinos_LIBRARIES} ${Trilinos_TPL_LIBRARIES} ${HDF5_C_LIBRARIES} MPI::MPI_CXX MPI::MPI_C
-  Eigen3::Eigen yaml-cpp fmt::fmt CLI11::CLI11 PkgConfig::MUPARSER)
+  Eigen3::Eigen yaml-cpp fmt::fmt CLI11::CLI11 PkgConfig::MUPARSER $<LINK_ONLY:PkgConfig::CAIRO>)

@@ -10,7 +10,7 @@ packages=(
   g++ cmake ninja-build ccache pkg-config
   libopenmpi-dev openmpi-bin trilinos-all-dev libptscotch-dev
   libhdf5-openmpi-dev hdf5-tools
-  libeigen3-dev libyaml-cpp-dev libmuparser-dev libfmt-dev libcli11-dev libnanoflann-dev
+  libeigen3-dev libyaml-cpp-dev libmuparser-dev libfmt-dev libcli11-dev libnanoflann-dev libcairo2-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   gnuplot-nox fonts-dejavu-core
 )

@@ -10,19 +10,22 @@
 #include "perinox/app/commands.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/deck/read.hpp"
+#include "perinox/study/child_process.hpp"
 
 namespace {
 
-void say(const perinox::Communicator& ranks, const char* prefix, const std::string& sentence) {
+void say(bool is_root, const char* prefix, const std::string& sentence) {
   std::fflush(stdout);
-  if (ranks.is_root()) fmt::print(stderr, "{}{}\n", prefix, sentence);
+  if (is_root) fmt::print(stderr, "{}{}\n", prefix, sentence);
 }
 
-int command_line(int argc, char** argv, const perinox::Communicator& ranks) {
+/// `ranks` is missing where MPI is not up: for the command study, whose runs are MPI programs of their own.
+int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool is_root) {
   using namespace perinox;
   app::Options options;
   std::string key;
-  bool page = false, json_schema = false;
+  bool page = false, json_schema = false, study_keys = false;
+  study::Request request;
 
   CLI::App cli{"Implicit quasi-static nonlinear peridynamics on Trilinos", "perinox"};
   cli.set_version_flag("--version", "perinox " PERINOX_VERSION);
@@ -34,6 +37,8 @@ int command_line(int argc, char** argv, const perinox::Communicator& ranks) {
   auto* verify =
       cli.add_subcommand("verify", "tangent against central differences and symmetry at the scene's own states");
   auto* help = cli.add_subcommand("help", "documentation of a deck key, from the schema");
+  auto* study =
+      cli.add_subcommand("study", "run a deck over swept parameters; errors, costs, plots and a page of them");
   for (auto* command : {run, check, verify}) {
     command->add_option("DECK", options.deck, "the deck, a YAML file")->required();
     command->add_option("--set", options.overrides, "override one value: key.path=value; may be given again")
@@ -42,14 +47,20 @@ int command_line(int argc, char** argv, const perinox::Communicator& ranks) {
     command->add_flag("--quiet", options.quiet, "print nothing but warnings and errors");
   }
   run->add_option("--output", options.output, "directory for the results (default: results/<deck's name>)");
+  study->add_option("STUDY", request.file, "the study, a YAML file")->required();
+  study->add_option("--output", request.output, "directory for everything (default: results/studies/<study's name>)");
+  study->add_flag("--again", request.again, "repeat runs that are finished");
+  study->add_flag("--plan", request.plan, "check the study and its decks, list the runs, run nothing");
+  study->add_flag("--quiet", request.quiet, "print nothing but errors");
   help->add_option("KEY", key, "a key's dotted path or its last name");
   help->add_flag("--page", page, "print the whole reference page, docs/deck.md");
   help->add_flag("--json-schema", json_schema, "print the deck's JSON Schema for editors");
+  help->add_flag("--study", study_keys, "print the table of a study's keys");
 
-  const std::vector<std::string> commands{"run", "check", "verify", "help"};
+  const std::vector<std::string> commands{"run", "check", "verify", "study", "help"};
   if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     const std::string hint = deck::nearest(argv[1], commands);
-    say(ranks, "perinox: ",
+    say(is_root, "perinox: ",
         fmt::format("{} is not a command{}; perinox --help lists the commands", argv[1],
                     hint.empty() ? "" : ", did you mean " + hint + "?"));
     return 2;
@@ -57,21 +68,35 @@ int command_line(int argc, char** argv, const perinox::Communicator& ranks) {
   try {
     cli.parse(argc, argv);
   } catch (const CLI::Success& message) {  // --help, --version
-    if (ranks.is_root()) cli.exit(message);
+    if (is_root) cli.exit(message);
     return 0;
   } catch (const CLI::ParseError& error) {
-    say(ranks, "perinox: ", std::string(error.what()) + "; perinox --help lists the commands");
+    say(is_root, "perinox: ", std::string(error.what()) + "; perinox --help lists the commands");
     return 2;
   }
-  if (run->parsed()) return app::run(options, ranks);
-  if (check->parsed()) return app::check(options, ranks);
-  if (verify->parsed()) return app::verify(options, ranks);
-  return app::help(key, page, json_schema, ranks);
+  if (study->parsed() || ranks == nullptr) return app::study(request);
+  if (run->parsed()) return app::run(options, *ranks);
+  if (check->parsed()) return app::check(options, *ranks);
+  if (verify->parsed()) return app::verify(options, *ranks);
+  if (study_keys) return app::study_keys(*ranks);
+  return app::help(key, page, json_schema, *ranks);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 1 && argv[1] == std::string("study")) {
+    const bool is_root = perinox::study::first_rank_around();
+    try {
+      return command_line(argc, argv, nullptr, is_root);
+    } catch (const perinox::InputError& error) {
+      say(is_root, "", error.what());
+      return 2;
+    } catch (const std::exception& error) {
+      say(is_root, "perinox: ", error.what());
+      return 1;
+    }
+  }
   // Kokkos takes --help and other options for its own: it is shown the program's name alone.
   int shown = 1;
   char* name_only[] = {argv[0], nullptr};
@@ -79,12 +104,12 @@ int main(int argc, char** argv) {
   const Tpetra::ScopeGuard guard(&shown, &names);
   const perinox::Communicator ranks;
   try {
-    return command_line(argc, argv, ranks);
+    return command_line(argc, argv, &ranks, ranks.is_root());
   } catch (const perinox::InputError& error) {
-    say(ranks, "", error.what());
+    say(ranks.is_root(), "", error.what());
     return 2;
   } catch (const perinox::RunError& error) {
-    say(ranks, "perinox: ", error.what());
+    say(ranks.is_root(), "perinox: ", error.what());
     return 1;
   } catch (const std::exception& error) {
     // Not agreed on by the ranks: the others may be waiting for this one, so all are ended.

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "scalar.hpp"
+#include "perinox/deck/scalar.hpp"
 
 namespace perinox::deck {
 namespace {
@@ -247,6 +247,11 @@ class Checker {
 
 Value check_against_schema(const Node& root, const Schema& schema, const std::string& folder) {
   return Checker(schema, folder).check(root, schema.root(), "the deck", "");
+}
+
+Value check_against_key(const Node& root, const Key& key, const std::string& name, const std::string& folder) {
+  static const Schema without_models({});
+  return Checker(without_models, folder).check(root, key, name, "");
 }
 
 std::string expected(const Key& key) {

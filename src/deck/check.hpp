@@ -12,6 +12,9 @@ namespace perinox::deck {
 /// taken from `folder`). Throws InputError at the first thing the schema does not allow.
 Value check_against_schema(const Node& root, const Schema& schema, const std::string& folder);
 
+/// The same for a file that is no deck and refers to no definitions; messages call its root `name`.
+Value check_against_key(const Node& root, const Key& key, const std::string& name, const std::string& folder);
+
 /// A scalar of the schema. Throws InputError for a wrong type, a number out of range, an unknown word, a missing file.
 Value check_scalar(const Node& node, const Key& key, const std::string& name, const std::string& folder);
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "convert.hpp"
-#include "scalar.hpp"
+#include "perinox/deck/scalar.hpp"
 
 namespace perinox::deck {
 namespace {

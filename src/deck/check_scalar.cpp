@@ -7,7 +7,7 @@
 
 #include "check.hpp"
 #include "perinox/deck/expression.hpp"
-#include "scalar.hpp"
+#include "perinox/deck/scalar.hpp"
 
 namespace perinox::deck {
 namespace {

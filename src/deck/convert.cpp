@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scalar.hpp"
+#include "perinox/deck/scalar.hpp"
 #include "words.hpp"
 
 namespace perinox::deck {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "convert.hpp"
-#include "scalar.hpp"
+#include "perinox/deck/scalar.hpp"
 
 namespace perinox::deck {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "check.hpp"
-#include "scalar.hpp"
+#include "perinox/deck/scalar.hpp"
 
 namespace perinox::deck {
 namespace {
@@ -108,6 +108,8 @@ std::string type_text(const Key& use, const Schema& schema) {
     }
     case Type::named: {
       const Key& element = key.element.at(0);
+      if (element.type != Type::map && element.type != Type::choice)
+        return fmt::format("map from names to {}s", type_text(element, schema));
       return "map from names to maps" +
              (element.alternatives.empty() ? "" : ", each with " + alternatives_text(element));
     }

@@ -7,7 +7,7 @@
 #include <cctype>
 #include <vector>
 
-#include "scalar.hpp"
+#include "perinox/deck/scalar.hpp"
 
 namespace perinox::deck {
 

@@ -1,6 +1,6 @@
 #include "json.hpp"
 
-#include "scalar.hpp"
+#include "perinox/deck/scalar.hpp"
 
 namespace perinox::deck {
 

@@ -9,22 +9,23 @@
 #include "check.hpp"
 #include "convert.hpp"
 #include "document.hpp"
+#include "perinox/deck/declared.hpp"
 
 namespace perinox::deck {
 namespace {
 
-std::string content_of(const std::string& file) {
+std::string content_of(const std::string& file, const std::string& kind) {
   namespace fs = std::filesystem;
   const Location where{file, 0, 0};
   std::error_code error;
-  if (!fs::exists(file, error)) refuse(where, "there is no deck of this name; check the path");
-  if (fs::is_directory(file, error)) refuse(where, "this is a folder; name the deck file in it");
+  if (!fs::exists(file, error)) refuse(where, "there is no " + kind + " of this name; check the path");
+  if (fs::is_directory(file, error)) refuse(where, "this is a folder; name the " + kind + " file in it");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
   if (!stream.is_open() || stream.bad()) {
-    refuse(where, std::string("the deck cannot be read (") + std::strerror(errno) + "); check its permissions");
+    refuse(where, "the " + kind + " cannot be read (" + std::strerror(errno) + "); check its permissions");
   }
   return text.str();
 }
@@ -53,7 +54,18 @@ Deck read_text(const std::string& yaml, const std::string& file, const Schema& s
 }
 
 Deck read(const std::string& file, const Schema& schema, const std::vector<std::string>& overrides) {
-  return read_text(content_of(file), file, schema, overrides);
+  return read_text(content_of(file, "deck"), file, schema, overrides);
+}
+
+Value read_declared(const std::string& file, const Key& root, const std::string& kind) {
+  return read_declared_text(content_of(file, kind), file, root, kind);
+}
+
+Value read_declared_text(const std::string& yaml, const std::string& file, const Key& root, const std::string& kind) {
+  const Node node = parse_yaml(yaml, file);
+  if (node.kind == Node::Kind::null) refuse({file, 0, 0}, "the " + kind + " is empty");
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  return check_against_key(node, root, "the " + kind, folder.string());
 }
 
 }  // namespace perinox::deck

@@ -1,5 +1,5 @@
 #include "perinox/deck/read.hpp"
-#include "scalar.hpp"
+#include "perinox/deck/scalar.hpp"
 
 namespace perinox::deck {
 namespace {

@@ -1,4 +1,4 @@
-#include "scalar.hpp"
+#include "perinox/deck/scalar.hpp"
 
 #include <fmt/format.h>
 

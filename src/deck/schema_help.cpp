@@ -4,7 +4,7 @@
 
 #include "describe.hpp"
 #include "perinox/deck/read.hpp"
-#include "scalar.hpp"
+#include "perinox/deck/scalar.hpp"
 
 namespace perinox::deck {
 namespace {

@@ -4,8 +4,8 @@
 #include "check.hpp"
 #include "document.hpp"
 #include "json.hpp"
+#include "perinox/deck/scalar.hpp"
 #include "perinox/deck/schema.hpp"
-#include "scalar.hpp"
 
 namespace perinox::deck {
 namespace {

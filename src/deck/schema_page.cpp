@@ -4,6 +4,7 @@
 #include "check.hpp"
 #include "describe.hpp"
 #include "document.hpp"
+#include "perinox/deck/declared.hpp"
 
 namespace perinox::deck {
 namespace {
@@ -106,6 +107,11 @@ std::string model_sections(const Schema& schema) {
 }
 
 }  // namespace
+
+std::string key_table(const Key& root) {
+  static const Schema without_models({});
+  return table(keys_inside(root), without_models);
+}
 
 std::string Schema::reference_page() const {
   std::string out = introduction;

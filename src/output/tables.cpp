@@ -7,17 +7,9 @@
 #include <iterator>
 #include <utility>
 
-namespace perinox::output {
+#include "perinox/output/table_reader.hpp"
 
-namespace {
-/// A name as a CSV cell (RFC 4180).
-std::string cell(const std::string& name) {
-  if (name.find_first_of(",\"\n") == std::string::npos) return name;
-  std::string quoted = "\"";
-  for (const char letter : name) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + "\"";
-}
-}  // namespace
+namespace perinox::output {
 
 GrowingFile::GrowingFile(std::string path) : path_(std::move(path)), file_(std::fopen(path_.c_str(), "w")) {
   if (file_ == nullptr) failure_ = fmt::format("{} cannot be created: {}", path_, std::strerror(errno));
@@ -48,7 +40,7 @@ std::string seconds_columns() {
 
 HistoryTable::HistoryTable(const std::string& path, const std::vector<std::string>& names) : file_(path) {
   std::string header = "step,t";
-  for (const std::string& name : names) header += "," + cell(name);
+  for (const std::string& name : names) header += "," + csv_cell(name);
   file_.append(header +
                ",stored_energy,dissipated_energy,external_work,newton_iterations,linear_iterations,seconds,products" +
                seconds_columns());

@@ -5,6 +5,7 @@
 #include "perinox/core/communicator.hpp"
 #include "perinox/deck/deck.hpp"
 #include "perinox/deck/schema.hpp"
+#include "perinox/study/conduct.hpp"
 
 namespace perinox::app {
 
@@ -28,5 +29,10 @@ int check(const Options& options, const Communicator& communicator);
 int verify(const Options& options, const Communicator& communicator);
 /// key: empty for the list of keys; `--page` and `--json-schema` print the generated documents.
 int help(const std::string& key, bool page, bool json_schema, const Communicator& communicator);
+/// The table of a study's keys, for docs/studies.md.
+int study_keys(const Communicator& communicator);
+
+/// Uses no MPI, and refuses to be one of several ranks.
+int study(study::Request request);
 
 }  // namespace perinox::app

@@ -1,0 +1,86 @@
+#pragma once
+/// What a study file says: a deck, the parameters to sweep, and what to measure in every run.
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "perinox/deck/location.hpp"
+#include "perinox/deck/schema.hpp"
+
+namespace perinox::study {
+
+/// One value of the deck replaced, as `--set key=value` does it; the key `ranks` is the number of MPI ranks instead.
+struct Setting {
+  deck::Location location;
+  std::string key;
+  std::string value;  ///< YAML; {name} stands for the value of the sweep of that name
+};
+
+struct SweepPoint {
+  std::string label;
+  std::optional<double> number;  ///< of a label that is one
+  std::vector<Setting> set;
+};
+
+struct Sweep {
+  deck::Location location;
+  std::string name;
+  std::vector<SweepPoint> points;
+
+  /// True if every label is a number.
+  bool numeric() const;
+};
+
+/// Either a formula of the columns of history.csv, with or without an exact value, or a field against a solution or
+/// another run.
+struct Measure {
+  deck::Location location;
+  std::string name;
+  std::string history;       ///< formula of the columns of history.csv; empty for a field
+  std::optional<double> at;  ///< load parameter; nothing: the end of the run
+  std::string exact;         ///< formula; empty where there is none
+  std::string field;
+  std::array<std::string, 3> solution;  ///< formulas of the field's components
+  std::string reference;                ///< "finest", or a results.h5
+  std::string where;                    ///< condition on the particles; empty: all
+
+  bool compares() const { return !field.empty() || !exact.empty(); }
+  /// Column of the relative error.
+  std::string error_column() const { return name + "_error"; }
+  /// Every column of this measure, the error first.
+  std::vector<std::string> columns() const;
+};
+
+/// A plot asked for: columns of study.csv or names of sweeps.
+struct PlotRequest {
+  deck::Location location;
+  std::string x, y;
+};
+
+enum class Kind { convergence, newton };
+
+struct Study {
+  std::string file;
+  std::string title;
+  std::string deck;  ///< path that can be opened from here
+  Kind kind = Kind::convergence;
+  int newton_step = 0;  ///< of kind newton; 0: the last one committed
+  std::vector<Setting> set;
+  std::vector<Sweep> sweep;
+  std::vector<Measure> measures;
+  std::vector<PlotRequest> plots;
+};
+
+/// The keys of a study file.
+deck::Key declare_study();
+
+/// Throws InputError with `file:line:column: sentence`.
+Study read(const std::string& file);
+/// The same from text; `file` names the folder that paths start from.
+Study read_text(const std::string& yaml, const std::string& file);
+
+/// Columns of study.csv that every study has, after those of its sweeps and measures.
+const std::vector<std::string>& cost_columns();
+
+}  // namespace perinox::study

@@ -1,0 +1,100 @@
+/// The keys of a study file.
+#include "perinox/deck/key_forms.hpp"
+#include "perinox/study/study.hpp"
+
+namespace perinox::study {
+
+namespace {
+using deck::Key;
+using deck::list_key;
+using deck::map_key;
+using deck::required;
+using deck::text_key;
+
+/// Keys of the deck and their values.
+Key settings_key(std::string sentence) {
+  Key key;
+  key.name = "set";
+  key.type = deck::Type::named;
+  key.sentence = std::move(sentence);
+  key.element.push_back(text_key("", "A value as --set takes it."));
+  return key;
+}
+
+Key declare_sweep() {
+  Key point = map_key("", "One value.",
+                      {required(text_key("label", "What tables and plots call it; best a number.")),
+                       required(settings_key("Keys of the deck and their values at this point."))});
+  point.place = "a point";
+  Key points = list_key("points", "The values of a sweep that sets several keys at once.", point);
+  points.minimum_items = 1;
+  Key values = list_key("values", "The values of the key, each as --set takes it.", text_key("", "A value."));
+  values.minimum_items = 1;
+  values.unique = true;
+  Key sweep = map_key(
+      "", "One parameter.",
+      {text_key("name", "Its name in tables, plots and formulas; by default the key's last word."),
+       text_key("key", "Dotted path of a key of the deck, or ranks: the number of MPI ranks."), values, points});
+  sweep.place = "a sweep";
+  sweep.alternatives = {{"key", "values"}, {"points"}};
+  Key list = required(list_key("sweep", "The parameters; every combination of their values is run.", sweep));
+  list.minimum_items = 1;
+  return list;
+}
+
+Key declare_measures() {
+  Key solution = map_key("solution", "The exact field: a formula of x, y, z and t for each component; x for a scalar.",
+                         {text_key("x", "First component."), text_key("y", "Second component; 0 if left out."),
+                          text_key("z", "Third component; 0 if left out.")});
+  solution.place = "a solution";
+  Key measure = map_key(
+      "", "One measure.",
+      {required(text_key("name", "Name of its columns.")),
+       text_key("history", "Formula of the columns of history.csv, in the simplest case one column's name."),
+       text_key("field", "Field of results.h5; the deck's output.fields must name it."),
+       text_key("at", "Load parameter t at which it is taken; there must be a step. By default the end of the run."),
+       text_key("exact",
+                "With history: the exact value, a number or a formula of sweep values; gives relative errors."),
+       solution,
+       text_key("reference",
+                "With field: finest, the run with most particles among those that differ in the first numeric sweep "
+                "only; or a file results.h5, relative to the study's folder."),
+       text_key("where", "With field: condition on x, y, z; only particles where it holds are compared.")});
+  measure.place = "a measure";
+  measure.alternatives = {{"history"}, {"field"}};
+  Key list = list_key("measures", "What is taken from each run.", measure);
+  list.fallback = "[]";
+  return list;
+}
+
+Key declare_plots() {
+  Key plot = map_key("", "One plot.",
+                     {required(text_key("x", "A sweep or a column of study.csv.")),
+                      required(text_key("y", "A column of study.csv."))});
+  plot.place = "a plot";
+  Key list = list_key("plots",
+                      "Plots instead of the usual ones, which are: each error against the first numeric sweep, and "
+                      "against CPU seconds.",
+                      plot);
+  list.fallback = "[]";
+  return list;
+}
+}  // namespace
+
+deck::Key declare_study() {
+  Key kind = deck::word_key("kind", {"convergence", "newton"}, "convergence",
+                            "What is plotted: errors of measures, or the residuals of Newton's iterations.");
+  Key step = deck::integer_key("newton_step", 1, 1e9, "",
+                               "Step whose Newton iterations are shown; by default the last one of each run.");
+  Key set = settings_key("Keys of the deck and their values in every run.");
+  set.fallback = "{}";
+  Key root = map_key("", "The study.",
+                     {text_key("title", "Shown in the report; by default the study file's name."),
+                      required(text_key("deck", "The deck, relative to the study's folder.")), kind, set,
+                      declare_sweep(), declare_measures(), step, declare_plots()});
+  root.place = "a study";
+  root.required = true;
+  return root;
+}
+
+}  // namespace perinox::study

@@ -1,0 +1,161 @@
+#include "perinox/study/measuring.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "perinox/core/error.hpp"
+#include "perinox/deck/scalar.hpp"
+#include "perinox/output/results_reader.hpp"
+#include "perinox/output/table_reader.hpp"
+#include "perinox/study/nearby_fit.hpp"
+
+namespace perinox::study {
+
+namespace {
+const std::vector<std::string> place_and_time{"x", "y", "z", "t"};
+
+bool same_time(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
+
+/// The step at `at`, or the last one.
+output::ResultsReader::Step step_of(const output::ResultsReader& file, const Measure& measure,
+                                    const std::string& path) {
+  const auto steps = file.steps();
+  if (steps.empty()) throw RunError(path + " holds no step");
+  if (!measure.at) return steps.back();
+  for (const auto& step : steps)
+    if (same_time(step.t, *measure.at)) return step;
+  throw RunError(fmt::format("{} holds no step at t = {:g}, where {} is taken", path, *measure.at, measure.name));
+}
+
+Values history_value(const Measure& measure, const PlannedRun& run, const std::string& folder) {
+  const output::NumberTable table = output::read_table(folder + "/history.csv");
+  const std::size_t time = table.column("t").value();
+  const std::vector<double>* row = nullptr;
+  for (const auto& candidate : table.rows)
+    if (!measure.at || same_time(candidate[time], *measure.at)) row = &candidate;
+  if (row == nullptr)
+    throw RunError(fmt::format("{}/history.csv has no row{} for {}", folder,
+                               measure.at ? fmt::format(" at t = {:g}", *measure.at) : "", measure.name));
+  Numbers numbers = run.numbers;
+  for (std::size_t c = 0; c < row->size(); ++c) numbers[table.names[c]] = (*row)[c];
+  const double value = formula(measure.history, numbers, {}, measure.location)(0, 0, 0, 0);
+  Values values{{measure.name, value}};
+  if (measure.exact.empty()) return values;
+  const double exact = formula(measure.exact, run.numbers, {"t"}, measure.location)(0, 0, 0, (*row)[time]);
+  values[measure.error_column()] = exact != 0 ? (value - exact) / std::abs(exact) : value - exact;
+  return values;
+}
+
+/// What a field is compared with, at any place.
+class ExactField {
+ public:
+  ExactField(const Measure& measure, const PlannedRun& run, const std::string& reference, int columns) {
+    if (reference.empty()) {
+      for (int c = 0; c < columns; ++c) {
+        const std::string& text = measure.solution[static_cast<std::size_t>(c)];
+        formulas_.push_back(text.empty() ? deck::Expression()
+                                         : formula(text, run.numbers, place_and_time, measure.location));
+      }
+      return;
+    }
+    const output::ResultsReader file(reference);
+    const auto step = step_of(file, measure, reference);
+    if (file.columns(step.number, measure.field) != columns)
+      throw RunError(fmt::format("{} holds no field {} of {} columns", reference, measure.field, columns));
+    fit_.emplace(file.reference(), file.field(step.number, measure.field), columns, file.dimension());
+  }
+  std::vector<double> at(const double* place, double t) const {
+    if (fit_) return fit_->at(place);
+    std::vector<double> values;
+    for (const deck::Expression& one : formulas_) values.push_back(one(place[0], place[1], place[2], t));
+    return values;
+  }
+
+ private:
+  std::vector<deck::Expression> formulas_;
+  std::optional<NearbyFit> fit_;
+};
+
+Values field_value(const Measure& measure, const PlannedRun& run, const std::string& folder,
+                   const std::string& reference) {
+  const std::string path = folder + "/results.h5";
+  const output::ResultsReader file(path);
+  const auto step = step_of(file, measure, path);
+  const int columns = file.columns(step.number, measure.field);
+  if (columns == 0) throw RunError(fmt::format("{} holds no field {}", path, measure.field));
+  const std::vector<double> place = file.reference(), volume = file.volume(),
+                            field = file.field(step.number, measure.field);
+  const deck::Expression where = measure.where.empty()
+                                     ? deck::Expression(1.0)
+                                     : formula(measure.where, run.numbers, {"x", "y", "z"}, measure.location);
+  const ExactField exact(measure, run, reference, columns);
+  double error = 0, size = 0, largest_error = 0, largest = 0;
+  std::size_t taken = 0;
+  for (std::size_t i = 0; i < file.particles(); ++i) {
+    const double* x = &place[i * 3];
+    if (!where.holds(x[0], x[1], x[2])) continue;
+    ++taken;
+    const std::vector<double> wanted = exact.at(x, step.t);
+    double difference = 0, square = 0;
+    for (std::size_t c = 0; c < wanted.size(); ++c) {
+      difference += std::pow(field[i * wanted.size() + c] - wanted[c], 2);
+      square += wanted[c] * wanted[c];
+    }
+    error += volume[i] * difference;
+    size += volume[i] * square;
+    largest_error = std::max(largest_error, difference);
+    largest = std::max(largest, square);
+  }
+  if (taken == 0) throw RunError(fmt::format("no particle of {} is where {} is taken", path, measure.name));
+  return {{measure.error_column(), std::sqrt(size > 0 ? error / size : error)},
+          {measure.name + "_largest", std::sqrt(largest > 0 ? largest_error / largest : largest_error)}};
+}
+}  // namespace
+
+void check_measures(const Study& study, const PlannedRun& run, const deck::Deck& deck) {
+  for (const Measure& measure : study.measures) {
+    if (measure.field.empty()) {
+      Numbers numbers = run.numbers;
+      for (const char* own : {"step", "t", "stored_energy", "dissipated_energy", "external_work", "newton_iterations",
+                              "linear_iterations", "seconds", "products"})
+        numbers[own] = 1;
+      for (const deck::HistoryEntry& entry : deck.history) numbers[entry.name] = 1;
+      formula(measure.history, numbers, {}, measure.location);
+      if (!measure.exact.empty()) formula(measure.exact, run.numbers, {"t"}, measure.location);
+      continue;
+    }
+    std::vector<std::string> fields = deck.output.fields;
+    for (const char* always : {"displacement", "force"})
+      if (std::find(fields.begin(), fields.end(), always) == fields.end()) fields.emplace_back(always);
+    if (std::find(fields.begin(), fields.end(), measure.field) == fields.end())
+      deck::refuse(measure.location,
+                   fmt::format("the runs do not write the field {}{}; the deck's output.fields says which they write",
+                               measure.field, deck::did_you_mean(measure.field, fields)));
+    for (const std::string& text : measure.solution)
+      if (!text.empty()) formula(text, run.numbers, place_and_time, measure.location);
+    if (!measure.where.empty()) formula(measure.where, run.numbers, {"x", "y", "z"}, measure.location);
+  }
+}
+
+Values counts_of(const std::string& folder) {
+  const output::ResultsReader file(folder + "/results.h5");
+  const auto particles = static_cast<double>(file.particles());
+  Values values{{"particles", particles}, {"unknowns", particles * file.dimension()}};
+  const output::NumberTable table = output::read_table(folder + "/history.csv");
+  values["steps"] = static_cast<double>(table.rows.size());
+  for (const char* name : {"newton_iterations", "linear_iterations"}) {
+    double& sum = values[name];
+    for (const auto& row : table.rows) sum += row[table.column(name).value()];
+  }
+  return values;
+}
+
+Values measured(const Measure& measure, const PlannedRun& run, const std::string& folder,
+                const std::string& reference) {
+  return measure.field.empty() ? history_value(measure, run, folder) : field_value(measure, run, folder, reference);
+}
+
+}  // namespace perinox::study
