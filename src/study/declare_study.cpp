@@ -86,12 +86,14 @@ deck::Key declare_study() {
                             "What is plotted: errors of measures, or the residuals of Newton's iterations.");
   Key step = deck::integer_key("newton_step", 1, 1e9, "",
                                "Step whose Newton iterations are shown; by default the last one of each run.");
+  Key repeat = deck::integer_key("repeat", 1, 1000, "1",
+                                 "Times that each run is made; costs are those of the one with least CPU seconds.");
   Key set = settings_key("Keys of the deck and their values in every run.");
   set.fallback = "{}";
   Key root = map_key("", "The study.",
                      {text_key("title", "Shown in the report; by default the study file's name."),
                       required(text_key("deck", "The deck, relative to the study's folder.")), kind, set,
-                      declare_sweep(), declare_measures(), step, declare_plots()});
+                      declare_sweep(), declare_measures(), repeat, step, declare_plots()});
   root.place = "a study";
   root.required = true;
   return root;

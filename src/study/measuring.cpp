@@ -146,9 +146,12 @@ Values counts_of(const std::string& folder) {
   Values values{{"particles", particles}, {"unknowns", particles * file.dimension()}};
   const output::NumberTable table = output::read_table(folder + "/history.csv");
   values["steps"] = static_cast<double>(table.rows.size());
-  for (const char* name : {"newton_iterations", "linear_iterations"}) {
+  const std::pair<const char*, const char*> sums[] = {{"newton_iterations", "newton_iterations"},
+                                                      {"linear_iterations", "linear_iterations"},
+                                                      {"solve_seconds", "seconds"}};
+  for (const auto& [name, column] : sums) {
     double& sum = values[name];
-    for (const auto& row : table.rows) sum += row[table.column(name).value()];
+    for (const auto& row : table.rows) sum += row[table.column(column).value()];
   }
   return values;
 }

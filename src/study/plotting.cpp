@@ -27,6 +27,7 @@ double shown(const Study& study, const Row& row, const std::string& column) {
 std::string axis_title(const Study& study, const std::string& column) {
   if (column == "cpu_seconds") return "CPU seconds, all ranks";
   if (column == "wall_seconds") return "wall seconds";
+  if (column == "solve_seconds") return "wall seconds of the load steps";
   if (column == "peak_megabytes") return "memory of the largest process, MB";
   if (is_error(study, column)) {
     const bool largest = column.size() > 8 && column.compare(column.size() - 8, 8, "_largest") == 0;

@@ -121,13 +121,13 @@ void add_clouds(Hash& hash, const deck::Shape& shape) {
 }
 }  // namespace
 
-std::string fingerprint(const deck::Deck& deck, int ranks) {
+std::string fingerprint(const deck::Deck& deck, int ranks, int repetitions) {
   Hash hash;
   hash.add(deck::write_resolved(deck));
   for (const deck::BodyPart& part : deck.body) add_clouds(hash, part.shape);
   for (const deck::Load& load : deck.boundary)
     if (load.table) hash.add_file(*load.table);
-  hash.add(std::to_string(ranks));
+  hash.add(fmt::format("{} {}", ranks, repetitions));
   hash.add(program_hash());
   return hash.text();
 }

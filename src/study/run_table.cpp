@@ -56,7 +56,8 @@ std::string short_number(double value) {
 std::vector<std::vector<std::string>> short_table(const Study& study, const std::vector<Row>& rows) {
   std::vector<std::string> shown;
   for (const std::string& column : value_columns(study))
-    if (column != "bonds" && column != "unknowns" && column != "steps" && column != "wall_seconds")
+    if (column != "bonds" && column != "unknowns" && column != "steps" && column != "wall_seconds" &&
+        column != "solve_seconds")
       if (column != "ranks" || std::any_of(rows.begin(), rows.end(), [](const Row& r) { return r.run.ranks > 1; }))
         shown.push_back(column);
   std::vector<std::vector<std::string>> table(1);

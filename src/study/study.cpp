@@ -138,6 +138,7 @@ Study study_of(const Value& value, const std::string& file) {
       refuse(value.at("newton_step").location(), "newton_step goes with kind: newton only; remove it");
     study.newton_step = static_cast<int>(value.at("newton_step").integer());
   }
+  study.repeat = static_cast<int>(value.at("repeat").integer());
   study.set = settings_of(value.at("set"));
   for (const Value& item : value.at("sweep").items()) study.sweep.push_back(sweep_of(item));
   for (const Value& item : value.at("measures").items()) study.measures.push_back(measure_of(item, folder));
@@ -163,7 +164,7 @@ std::vector<std::string> Measure::columns() const {
 const std::vector<std::string>& cost_columns() {
   static const std::vector<std::string> names{"ranks",        "particles",         "unknowns",          "bonds",
                                               "steps",        "newton_iterations", "linear_iterations", "cpu_seconds",
-                                              "wall_seconds", "peak_megabytes"};
+                                              "wall_seconds", "solve_seconds",     "peak_megabytes"};
   return names;
 }
 

@@ -111,8 +111,8 @@ TEST(RunTable, IsCsvWithEveryDigit) {
   rows[0].status = 1;
   EXPECT_EQ(csv_text(study_of(), rows),
             "run,quadrature,spacing,status,reason,E_error,E,ranks,particles,unknowns,bonds,steps,newton_iterations,"
-            "linear_iterations,cpu_seconds,wall_seconds,peak_megabytes\n"
-            "whole0,whole,1,1,\"stopped, \"\"early\"\"\",-0.10000000000000001,1,,,,,,,,1,,\n");
+            "linear_iterations,cpu_seconds,wall_seconds,solve_seconds,peak_megabytes\n"
+            "whole0,whole,1,1,\"stopped, \"\"early\"\"\",-0.10000000000000001,1,,,,,,,,1,,,\n");
 }
 
 TEST(Chart, IsWrittenAsSvgAndPng) {

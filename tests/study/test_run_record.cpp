@@ -72,14 +72,15 @@ TEST(RunRecord, IsOfOneDeckItsFilesAndItsRanks) {
   const std::string yaml =
       fixture::changed(fixture::flat_deck, "{box: {min: [0, 0], max: [3, 3]}}", "{file: cloud.csv}");
   const deck::Schema schema(materials::declarations());
-  const auto of = [&](const std::vector<std::string>& overrides, int ranks = 1) {
-    return fingerprint(deck::read_text(yaml, folder / "deck.yaml", schema, overrides), ranks);
+  const auto of = [&](const std::vector<std::string>& overrides, int ranks = 1, int repetitions = 1) {
+    return fingerprint(deck::read_text(yaml, folder / "deck.yaml", schema, overrides), ranks, repetitions);
   };
   const std::string first = of({});
   EXPECT_EQ(of({}), first);
   EXPECT_EQ(of({"steps.count=10"}), first) << "a default written out changes nothing";
   EXPECT_NE(of({"steps.count=11"}), first);
   EXPECT_NE(of({}, 2), first);
+  EXPECT_NE(of({}, 1, 2), first);
   folder.write("cloud.csv", "x,y,z,volume\n0,0,0,2\n");
   EXPECT_NE(of({}), first);
 }

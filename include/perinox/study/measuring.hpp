@@ -15,7 +15,7 @@ using Values = std::map<std::string, double>;
 /// Checks the measures' formulas and names against a run and its deck, before anything is run. Throws InputError.
 void check_measures(const Study& study, const PlannedRun& run, const deck::Deck& deck);
 
-/// Particles, unknowns, steps and iterations of the run in `folder`.
+/// Particles, unknowns, steps, iterations and the wall seconds of the steps of the run in `folder`.
 Values counts_of(const std::string& folder);
 
 /// The columns of one measure of the run in `folder`. A history measure: relative error (value - exact)/|exact|, or the

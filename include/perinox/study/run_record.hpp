@@ -21,8 +21,8 @@ void write_record(const std::string& folder, const RunRecord& record);
 std::optional<RunRecord> read_record(const std::string& folder);
 
 /// Hash of everything a run's results depend on: the resolved deck, the content of the files it names, the number of
-/// ranks and the program itself.
-std::string fingerprint(const deck::Deck& deck, int ranks);
+/// ranks and of repetitions, and the program itself.
+std::string fingerprint(const deck::Deck& deck, int ranks, int repetitions);
 
 /// The sentence by which a run says why it failed, from what it wrote to standard error.
 std::string reason_in(const std::string& error_file);

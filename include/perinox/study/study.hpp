@@ -66,6 +66,7 @@ struct Study {
   std::string deck;  ///< path that can be opened from here
   Kind kind = Kind::convergence;
   int newton_step = 0;  ///< of kind newton; 0: the last one committed
+  int repeat = 1;       ///< times that each run is made, for its cost
   std::vector<Setting> set;
   std::vector<Sweep> sweep;
   std::vector<Measure> measures;
