@@ -86,14 +86,15 @@ int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool
 
 int main(int argc, char** argv) {
   if (argc > 1 && argv[1] == std::string("study")) {
-    const bool is_root = perinox::study::first_rank_around();
+    // Under mpirun the first rank refuses for all; another that failed before it would have it ended unheard.
+    if (!perinox::study::first_rank_around()) return 0;
     try {
-      return command_line(argc, argv, nullptr, is_root);
+      return command_line(argc, argv, nullptr, true);
     } catch (const perinox::InputError& error) {
-      say(is_root, "", error.what());
+      say(true, "", error.what());
       return 2;
     } catch (const std::exception& error) {
-      say(is_root, "perinox: ", error.what());
+      say(true, "perinox: ", error.what());
       return 1;
     }
   }

@@ -223,6 +223,7 @@ class Pen {
   void legend(const Chart& chart) {
     const double x = left + plot_width_ + 14;
     double y = top + 12;
+    const double row = std::min(24.0, plot_height_ / static_cast<double>(chart.curves.size()));
     for (std::size_t k = 0; k < chart.curves.size(); ++k) {
       const Curve& one = chart.curves[k];
       if (one.name.empty()) continue;
@@ -235,7 +236,7 @@ class Pen {
         if (one.style == Curve::Style::line) marker(k, x + 12, y);
       }
       text(one.name, x + 32, y + 4.5, 13, 0);
-      y += 24;
+      y += row;
     }
   }
 

@@ -1,5 +1,6 @@
 /// perinox study from its file to its table: costs and errors, taking up where it was stopped, and what it refuses.
 #include <gmock/gmock.h>
+#include <sys/file.h>
 
 #include <cmath>
 #include <map>
@@ -38,6 +39,8 @@ measures:
   - {name: F, history: "pull/6", exact: "0.1 + 0*spacing"}
   - {name: u, field: displacement, solution: {x: "1e-3*x*t"}, where: "x > 2*spacing"}
   - {name: near, field: displacement, reference: finest}
+  - {name: half, field: displacement, solution: {x: "2e-3*x*t"}, where: "x < 2"}
+  - {name: early, field: displacement, at: 0.5, solution: {x: "0.5e-3*x"}, where: "x < 2"}
 )";
 
 using Table = std::vector<std::map<std::string, std::string>>;
@@ -103,30 +106,57 @@ TEST(Study, MeasuresEveryRun) {
     EXPECT_NEAR(std::stod(row.at("F_error")), std::stod(row.at("F")) / 0.1 - 1, 1e-9);
     EXPECT_GT(std::stod(row.at("u_error")), 0);
     EXPECT_GE(std::stod(row.at("u_largest")), std::stod(row.at("u_error")));
+    // Where the displacement is prescribed: half of that solution, and exact at half the load.
+    EXPECT_NEAR(std::stod(row.at("half_error")), 0.5, 1e-12);
+    EXPECT_NEAR(std::stod(row.at("half_largest")), 0.5, 1e-12);
+    EXPECT_LE(std::stod(row.at("early_error")), 1e-12);  // 0
     EXPECT_EQ(row.at("near_error").empty(), spacing == 0.5) << "the finest run has no error against itself";
   }
   EXPECT_THAT(read(results / "study.md"), HasSubstr("| position-aware | 0.5 | 0 |"));
+
+  // The finest run named as a file.
+  folder.write("file.yaml",
+               "deck: strip.yaml\nset: {quadrature: whole}\nsweep: [{key: body.0.spacing, values: [1]}]\nmeasures: "
+               "[{name: near, field: displacement, reference: "
+               "results/studies/study/runs/quadrature-whole_spacing-0.5/results.h5}]\n");
+  ASSERT_EQ(folder.perinox({"study", "file.yaml", "--quiet", "--output", "file"}).status, 0);
+  const Table against_file = table_of(folder.path() / "file/study.csv");
+  ASSERT_EQ(against_file.size(), 1);
+  EXPECT_EQ(against_file[0].at("near_error"), table[0].at("near_error"));
+}
+
+TEST(Study, HasItsFolderToItself) {
+  const Folder folder;
+  folder.write("strip.yaml", strip);
+  folder.write("study.yaml", sweep_study);
+  std::filesystem::create_directories(folder.path() / "r/runs");
+  const int other = open((folder.path() / "r/runs/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  ASSERT_EQ(flock(other, LOCK_EX), 0);
+  const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r"});
+  close(other);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.error, "another study is running in r; choose another folder with --output\n");
 }
 
 TEST(Study, TakesUpWhereItWasKilled) {
   const Folder folder;
   folder.write("strip.yaml", strip);
-  folder.write("study.yaml", sweep_study);
+  folder.write("study.yaml", changed(sweep_study, "[whole, position-aware]", "[whole]"));
   ASSERT_EQ(folder.perinox({"study", "study.yaml", "--quiet", "--output", "whole"}).status, 0);
-  // Killed outright as soon as the second run is finished.
+  // Killed outright as soon as the first run is finished.
   const std::string runs = "killed/runs/";
   const Outcome killed =
       folder.run("/bin/sh", {"-c", std::string(PERINOX_BINARY) +
                                        " study study.yaml --quiet --output killed & pid=$!; while [ ! -e " + runs +
-                                       "quadrature-whole_spacing-0.5/record.yaml ]; do sleep 0.02; done; kill -9 $pid; "
+                                       "quadrature-whole_spacing-1/record.yaml ]; do sleep 0.02; done; kill -9 $pid; "
                                        "wait $pid 2>/dev/null; exit 0"});
   ASSERT_EQ(killed.status, 0);
   ASSERT_FALSE(std::filesystem::exists(folder.path() / "killed/study.csv"));
   const std::string first = read(folder.path() / (runs + "quadrature-whole_spacing-1/record.yaml"));
   const Outcome second = folder.perinox({"study", "study.yaml", "--output", "killed"});
   EXPECT_EQ(second.status, 0);
-  EXPECT_THAT(second.out, HasSubstr("4 runs of strip.yaml, 2 of them finished earlier; in killed\n"));
-  EXPECT_THAT(second.out, HasSubstr("1/4  quadrature-whole_spacing-1  finished earlier\n"));
+  EXPECT_THAT(second.out, HasSubstr("2 runs of strip.yaml, 1 of them finished earlier; in killed\n"));
+  EXPECT_THAT(second.out, HasSubstr("1/2  quadrature-whole_spacing-1  finished earlier\n"));
   EXPECT_EQ(read(folder.path() / (runs + "quadrature-whole_spacing-1/record.yaml")), first);
   EXPECT_EQ(without_costs(table_of(folder.path() / "killed/study.csv")),
             without_costs(table_of(folder.path() / "whole/study.csv")));
@@ -134,7 +164,7 @@ TEST(Study, TakesUpWhereItWasKilled) {
   // Once more: nothing is run, and the table is the same to the last digit.
   const std::string table = read(folder.path() / "killed/study.csv");
   const Outcome third = folder.perinox({"study", "study.yaml", "--output", "killed"});
-  EXPECT_THAT(third.out, HasSubstr("4 of them finished earlier"));
+  EXPECT_THAT(third.out, HasSubstr("2 of them finished earlier"));
   EXPECT_EQ(read(folder.path() / "killed/study.csv"), table);
 
   // Another deck makes every run another one; so does --again.
@@ -145,7 +175,7 @@ TEST(Study, TakesUpWhereItWasKilled) {
   EXPECT_THAT(folder.perinox({"study", "study.yaml", "--output", "killed", "--plan", "--again"}).out,
               HasSubstr("0 of them finished earlier"));
   EXPECT_THAT(folder.perinox({"study", "study.yaml", "--output", "killed", "--plan"}).out,
-              HasSubstr("4 of them finished earlier"));
+              HasSubstr("2 of them finished earlier"));
 }
 
 TEST(Study, ARunThatStopsShortIsARow) {
@@ -248,8 +278,8 @@ TEST(Study, SaysThatItRunsOnOneRank) {
   const Outcome outcome = folder.perinox_on_ranks(2, {"study", "study.yaml"});
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.error,
-              StartsWith("perinox study was started on 2 ranks, but it runs on one and starts its runs by "
-                         "itself; leave mpirun out, and sweep the key ranks to run decks on several\n"));
+              HasSubstr("perinox study was started on 2 ranks, but it runs on one and starts its runs by "
+                        "itself; leave mpirun out, and sweep the key ranks to run decks on several\n"));
 }
 
 TEST(Study, TheExamplesAreValid) {
