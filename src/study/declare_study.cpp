@@ -43,9 +43,17 @@ Key declare_sweep() {
 }
 
 Key declare_measures() {
-  Key solution = map_key("solution", "The exact field: a formula of x, y, z and t for each component; x for a scalar.",
-                         {text_key("x", "First component."), text_key("y", "Second component; 0 if left out."),
-                          text_key("z", "Third component; 0 if left out.")});
+  std::vector<Key> components;
+  for (const int columns : {3, 6, 1})
+    for (const std::string& name : components_of(columns))
+      components.push_back(text_key(name, columns == 1   ? "Of a scalar field."
+                                          : columns == 3 ? "Of a vector field."
+                                                         : "Of a tensor field."));
+  Key solution =
+      map_key("solution",
+              "With field: the exact field, a formula of x, y, z and t for each component; those left out are not "
+              "compared.",
+              components);
   solution.place = "a solution";
   Key measure = map_key(
       "", "One measure.",

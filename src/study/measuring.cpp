@@ -19,6 +19,12 @@ const std::vector<std::string> place_and_time{"x", "y", "z", "t"};
 
 bool same_time(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
 
+/// Columns of a field in results.h5, by its name.
+int columns_of(const std::string& field) {
+  if (field == "displacement" || field == "force") return 3;
+  return field == "stress" || field == "strain" ? 6 : 1;
+}
+
 /// The step at `at`, or the last one.
 output::ResultsReader::Step step_of(const output::ResultsReader& file, const Measure& measure,
                                     const std::string& path) {
@@ -54,19 +60,22 @@ class ExactField {
  public:
   ExactField(const Measure& measure, const PlannedRun& run, const std::string& reference, int columns) {
     if (reference.empty()) {
-      for (int c = 0; c < columns; ++c) {
-        const std::string& text = measure.solution[static_cast<std::size_t>(c)];
-        formulas_.push_back(text.empty() ? deck::Expression()
-                                         : formula(text, run.numbers, place_and_time, measure.location));
+      for (const std::string& component : components_of(columns)) {
+        const auto text = measure.solution.find(component);
+        compared_.push_back(text != measure.solution.end());
+        formulas_.push_back(compared_.back() ? formula(text->second, run.numbers, place_and_time, measure.location)
+                                             : deck::Expression());
       }
       return;
     }
+    compared_.assign(static_cast<std::size_t>(columns), true);
     const output::ResultsReader file(reference);
     const auto step = step_of(file, measure, reference);
     if (file.columns(step.number, measure.field) != columns)
       throw RunError(fmt::format("{} holds no field {} of {} columns", reference, measure.field, columns));
     fit_.emplace(file.reference(), file.field(step.number, measure.field), columns, file.dimension());
   }
+  bool compares(std::size_t component) const { return compared_[component]; }
   std::vector<double> at(const double* place, double t) const {
     if (fit_) return fit_->at(place);
     std::vector<double> values;
@@ -75,6 +84,7 @@ class ExactField {
   }
 
  private:
+  std::vector<bool> compared_;
   std::vector<deck::Expression> formulas_;
   std::optional<NearbyFit> fit_;
 };
@@ -101,6 +111,7 @@ Values field_value(const Measure& measure, const PlannedRun& run, const std::str
     const std::vector<double> wanted = exact.at(x, step.t);
     double difference = 0, square = 0;
     for (std::size_t c = 0; c < wanted.size(); ++c) {
+      if (!exact.compares(c)) continue;
       difference += std::pow(field[i * wanted.size() + c] - wanted[c], 2);
       square += wanted[c] * wanted[c];
     }
@@ -134,8 +145,13 @@ void check_measures(const Study& study, const PlannedRun& run, const deck::Deck&
       deck::refuse(measure.location,
                    fmt::format("the runs do not write the field {}{}; the deck's output.fields says which they write",
                                measure.field, deck::did_you_mean(measure.field, fields)));
-    for (const std::string& text : measure.solution)
-      if (!text.empty()) formula(text, run.numbers, place_and_time, measure.location);
+    const std::vector<std::string>& components = components_of(columns_of(measure.field));
+    for (const auto& [component, text] : measure.solution) {
+      if (std::find(components.begin(), components.end(), component) == components.end())
+        deck::refuse(measure.location, fmt::format("{} is no component of the field {}; it has {}", component,
+                                                   measure.field, deck::listing(components, "and")));
+      formula(text, run.numbers, place_and_time, measure.location);
+    }
     if (!measure.where.empty()) formula(measure.where, run.numbers, {"x", "y", "z"}, measure.location);
   }
 }

@@ -79,10 +79,9 @@ Measure measure_of(const Value& value, const fs::path& folder) {
   only("exact", "field");
   if (value.has("solution")) {
     only("reference", "solution");
-    const char* components[] = {"x", "y", "z"};
-    for (std::size_t c = 0; c < 3; ++c) measure.solution[c] = text_of(value.at("solution"), components[c]);
-    if (measure.solution == std::array<std::string, 3>{})
-      refuse(value.at("solution").location(), "a solution needs a formula for at least one of x, y and z");
+    for (const auto& [component, text] : value.at("solution").entries()) measure.solution[component] = text.text();
+    if (measure.solution.empty())
+      refuse(value.at("solution").location(), "a solution needs a formula for at least one component");
   } else if (measure.reference.empty()) {
     refuse(
         value.location(),
@@ -159,6 +158,12 @@ std::vector<std::string> Measure::columns() const {
   if (!field.empty()) return {error_column(), name + "_largest"};
   if (exact.empty()) return {name};
   return {error_column(), name};
+}
+
+const std::vector<std::string>& components_of(int columns) {
+  static const std::vector<std::string> scalar{"value"}, vector{"x", "y", "z"},
+      tensor{"xx", "xy", "xz", "yy", "yz", "zz"};
+  return columns == 1 ? scalar : columns == 3 ? vector : tensor;
 }
 
 const std::vector<std::string>& cost_columns() {

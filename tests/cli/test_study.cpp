@@ -27,6 +27,7 @@ boundary:
   - {set: right, displacement: {x: "1e-3*x*t", y: 0}}
 steps: {end: 1, count: 2}
 solver: {newton: {max_iterations: 6}}
+output: {fields: [displacement, dilatation]}
 history: [{name: pull, reaction: right, component: x}]
 )";
 
@@ -38,6 +39,7 @@ sweep:
 measures:
   - {name: F, history: "pull/6", exact: "0.1 + 0*spacing"}
   - {name: u, field: displacement, solution: {x: "1e-3*x*t"}, where: "x > 2*spacing"}
+  - {name: theta, field: dilatation, solution: {value: "1e-3*t"}}
   - {name: near, field: displacement, reference: finest}
   - {name: half, field: displacement, solution: {x: "2e-3*x*t"}, where: "x < 2"}
   - {name: early, field: displacement, at: 0.5, solution: {x: "0.5e-3*x"}, where: "x < 2"}
@@ -106,6 +108,8 @@ TEST(Study, MeasuresEveryRun) {
     EXPECT_NEAR(std::stod(row.at("F_error")), std::stod(row.at("F")) / 0.1 - 1, 1e-9);
     EXPECT_GT(std::stod(row.at("u_error")), 0);
     EXPECT_GE(std::stod(row.at("u_largest")), std::stod(row.at("u_error")));
+    EXPECT_GT(std::stod(row.at("theta_error")), 0.01) << "the strip gets thinner";
+    EXPECT_LT(std::stod(row.at("theta_error")), 1);
     // Where the displacement is prescribed: half of that solution, and exact at half the load.
     EXPECT_NEAR(std::stod(row.at("half_error")), 0.5, 1e-12);
     EXPECT_NEAR(std::stod(row.at("half_largest")), 0.5, 1e-12);
@@ -242,8 +246,10 @@ TEST(Study, IsRefusedBeforeAnythingRuns) {
        "of study.yaml)\n"},
       {changed(sweep_study, "pull/6", "pul/6"),
        "study.yaml:7:5: pul in the formula 'pul/6' is not known; did you mean pull?\n"},
-      {changed(sweep_study, "field: displacement, sol", "field: dilatation, sol"),
-       "study.yaml:8:5: the runs do not write the field dilatation; the deck's output.fields says which they write\n"},
+      {changed(sweep_study, "field: displacement, sol", "field: damage, sol"),
+       "study.yaml:8:5: the runs do not write the field damage; the deck's output.fields says which they write\n"},
+      {changed(sweep_study, "{x: \"1e-3*x*t\"}", "{xx: 1}"),
+       "study.yaml:8:5: xx is no component of the field displacement; it has x, y and z\n"},
       {changed(sweep_study, "1e-3*x*t", "1e-3*x*"),
        "study.yaml:8:5: the formula '1e-3*x*' cannot be read at character 8: it ends too early\n"},
   };

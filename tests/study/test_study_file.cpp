@@ -39,7 +39,7 @@ TEST_F(StudyFile, IsRead) {
   ASSERT_EQ(study.measures.size(), 2);
   EXPECT_THAT(study.measures[0].columns(), ElementsAre("F_error", "F"));
   EXPECT_THAT(study.measures[1].columns(), ElementsAre("u_error", "u_largest"));
-  EXPECT_EQ(study.measures[1].solution[0], "0.1*x*t");
+  EXPECT_EQ(study.measures[1].solution.at("x"), "0.1*x*t");
   EXPECT_EQ(study.measures[1].at, std::nullopt);
 }
 
@@ -86,7 +86,7 @@ TEST_F(StudyFile, MalformedIsRefusedWithPlaceAndRemedy) {
        "9:43: exact does not go with field; remove one of them from the measure u"},
       {", solution: {x: \"0.1*x*t\"}", "",
        "9:5: the measure u of a field needs what it is compared with: solution or reference"},
-      {"solution: {x: \"0.1*x*t\"}", "solution: {}", "9:46: a solution needs a formula for at least one of x, y and z"},
+      {"solution: {x: \"0.1*x*t\"}", "solution: {}", "9:46: a solution needs a formula for at least one component"},
       {"history: pull", "at: later, history: pull", "8:19: at must be a number or end, but 'later' was found"},
       {"name: F", "name: u_largest", "9:5: there are two columns u_largest; give this one another name"},
       {"title: base", "kind: newtn", "1:7: kind cannot be 'newtn'; did you mean newton?"},

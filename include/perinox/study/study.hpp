@@ -1,6 +1,6 @@
 #pragma once
 /// What a study file says: a deck, the parameters to sweep, and what to measure in every run.
-#include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,9 +41,9 @@ struct Measure {
   std::optional<double> at;  ///< load parameter; nothing: the end of the run
   std::string exact;         ///< formula; empty where there is none
   std::string field;
-  std::array<std::string, 3> solution;  ///< formulas of the field's components
-  std::string reference;                ///< "finest", or a results.h5
-  std::string where;                    ///< condition on the particles; empty: all
+  std::map<std::string, std::string> solution;  ///< formulas of some of components_of(field)
+  std::string reference;                        ///< "finest", or a results.h5
+  std::string where;                            ///< condition on the particles; empty: all
 
   bool compares() const { return !field.empty() || !exact.empty(); }
   /// Column of the relative error.
@@ -80,6 +80,9 @@ deck::Key declare_study();
 Study read(const std::string& file);
 /// The same from text; `file` names the folder that paths start from.
 Study read_text(const std::string& yaml, const std::string& file);
+
+/// Names of the components of a field with this many columns in results.h5: value; x y z; xx xy xz yy yz zz.
+const std::vector<std::string>& components_of(int columns);
 
 /// Columns of study.csv that every study has, after those of its sweeps and measures.
 const std::vector<std::string>& cost_columns();
