@@ -25,7 +25,7 @@ void GridArrays::allocate(int count, std::int64_t cells, std::int64_t guard, int
   memory_.assign(static_cast<std::size_t>(count * length + 2 * page), 0.0);
   auto* first = memory_.data();
   while (reinterpret_cast<std::uintptr_t>(first) % (page * sizeof(double)) != 0) ++first;
-  first += number * stagger;
+  first += number * stagger % page;  // two pages are room for this and for the alignment
   start_.clear();
   for (int k = 0; k < count; ++k) start_.push_back(first + k * length + room);
 }
