@@ -21,7 +21,9 @@ FamilySums sums_of(const Family& family, const double* extension, const double* 
   sums.shift = sums.extension / sums.weighted_volume;
   for (int j = 0; j < family.count; ++j) {
     const double elastic = extension[j] - sums.shift * family.length[j] - (plastic ? plastic[j] : 0);
+    const double all = extension[j] - sums.shift * family.length[j];
     sums.square += family.influence[j] * elastic * elastic * family.weight[j];
+    sums.total += family.influence[j] * all * all * family.weight[j];
   }
   return sums;
 }
@@ -44,9 +46,11 @@ FittedSums fitted_sums_of(const Family& family, const double* extension, const d
       if (plastic) flowed[k] += share * plastic[j];
     }
   all.fit = fit(*family.moment, strain, flowed, all.sums.square, all.sums.shift);
+  fit_total(*family.moment, strain, all.sums.total, all.sums.shift, all.fit);
   all.sums.fitted = true;
   all.sums.extension = all.sums.weighted_volume * all.fit.dilatation / family.dimension;
   all.sums.square = all.fit.square;
+  all.sums.total = all.fit.total;
   return all;
 }
 
@@ -91,7 +95,7 @@ PointResponse Material::respond(const Family& family, const double* extension, C
   for (int j = 0; j < family.count; ++j) {
     const double e_p = plastic ? plastic[j] : 0;
     const double strain = family.moment ? along(family, j, h) : point.radial * family.length[j];
-    force_state[j] = family.influence[j] * (strain + point.shear * (extension[j] - e_p));
+    force_state[j] = family.influence[j] * (strain + point.shear * (extension[j] - e_p) + point.back * e_p);
     if (plastic) trial.bond[j] = e_p + point.flow * (extension[j] - point.mean * family.length[j] - e_p);
   }
   return point.response;

@@ -18,7 +18,11 @@ constexpr int equivalent_strain = 1;
 const double root3 = std::sqrt(3.0);
 }  // namespace
 
-ElasticPlastic::ElasticPlastic(const Parameters& parameters) : parameters_(parameters) {}
+ElasticPlastic::ElasticPlastic(const Parameters& parameters)
+    : parameters_(parameters),
+      curve_(parameters.curve()),
+      overlay_(parameters.kinematic_shear / parameters.shear),
+      inner_(1 / (1 + overlay_)) {}
 
 HistoryLayout ElasticPlastic::history() const { return {point_history, 1}; }
 
@@ -32,18 +36,21 @@ ElasticPlastic::Return ElasticPlastic::radial_return(const FamilySums& sums, con
   r.trial_norm = r.alpha * std::sqrt(r.strain_square);
   // psi0 = d(d+2) tau^2/(2m), beta = sqrt(2 psi0) = c tau; with the continuum m and omega = 1 this is Eq. 51.
   r.yield_scale = std::sqrt(d * (d + 2) / (parameters_.continuum_yield ? sums.continuum_weighted_volume : m));
-  const double tau = parameters_.yield_shear + parameters_.hardening_shear * root3 * committed[equivalent_strain];
-  r.beta = r.yield_scale * tau;
+  const double plastic_shear = root3 * committed[equivalent_strain];
+  r.beta = r.yield_scale * curve_.stress(plastic_shear);
   if (r.trial_norm <= r.beta * (1 + kink)) return r;
 
-  // N = beta(lambda) (1 + alpha Delta lambda) with Delta gamma = Delta lambda beta c: linear in Delta gamma.
+  // N = beta(lambda) (1 + (1 + h) alpha Delta lambda) with Delta gamma = Delta lambda beta c: linear in Delta gamma.
   r.yielding = true;
-  const double flow_modulus = parameters_.hardening_shear + r.alpha / (r.yield_scale * r.yield_scale);
-  r.plastic_shear = (r.trial_norm / r.yield_scale - tau) / flow_modulus;
-  r.beta = r.yield_scale * (tau + parameters_.hardening_shear * r.plastic_shear);
-  r.beta_slope = parameters_.hardening_shear / flow_modulus;
+  const double falls = (1 + overlay_) * r.alpha / (r.yield_scale * r.yield_scale);
+  const double driving = r.trial_norm / r.yield_scale;
+  const HardeningCurve::Flow flow =
+      curve_.flow(plastic_shear, [&](double stress, double slope) { return (driving - stress) / (slope + falls); });
+  r.plastic_shear = flow.strain;
+  r.beta = r.yield_scale * flow.stress;
+  r.beta_slope = flow.slope / (flow.slope + falls);
   r.scale = r.beta / r.trial_norm;
-  r.potential = (tau + 0.5 * parameters_.hardening_shear * r.plastic_shear) * r.plastic_shear;
+  r.potential = flow.work;
   return r;
 }
 
@@ -52,18 +59,20 @@ PointState ElasticPlastic::state(const FamilySums& sums, const double* committed
   const Return r = radial_return(sums, committed);
   PointState point;
   point.mean = r.dilatation / d;
-  point.shear = r.scale * r.alpha;
+  point.shear = r.alpha * (r.scale + overlay_) * inner_;
+  point.back = r.alpha * overlay_ * inner_;
   point.pressure = parameters_.bulk * r.dilatation;
   point.radial = d * point.pressure / sums.weighted_volume - point.shear * point.mean;
-  point.flow = 1 - r.scale;                                                  // e_p + Delta lambda t_d/omega (45)
-  const double delta_lambda = r.yielding ? (1 / r.scale - 1) / r.alpha : 0;  // (44)
+  point.flow = 1 - r.scale;  // e_p + Delta lambda t_d/omega (45)
+  const double delta_lambda = r.yielding ? (1 / r.scale - 1) / r.alpha * inner_ : 0;  // (44)
   trial[multiplier] = committed[multiplier] + delta_lambda;
   trial[equivalent_strain] = committed[equivalent_strain] + r.plastic_shear / root3;
 
   PointResponse& response = point.response;
   response.dilatation = r.dilatation;
-  response.stored_energy =
-      0.5 * (parameters_.bulk * r.dilatation * r.dilatation + r.alpha * r.scale * r.scale * r.strain_square);
+  double deviatoric = r.scale * r.scale * r.strain_square;
+  if (overlay_ > 0) deviatoric = (deviatoric + overlay_ * sums.total_about(point.mean)) * inner_;
+  response.stored_energy = 0.5 * (parameters_.bulk * r.dilatation * r.dilatation + r.alpha * deviatoric);
   response.dissipation = r.potential;  // Delta lambda beta^2 without hardening
   response.hardening_potential = r.potential;
   response.yielding = r.yielding;
@@ -71,8 +80,7 @@ PointState ElasticPlastic::state(const FamilySums& sums, const double* committed
 }
 
 double ElasticPlastic::plastic_work(const double* point) const {
-  const double plastic_shear = root3 * point[equivalent_strain];
-  return (parameters_.yield_shear + 0.5 * parameters_.hardening_shear * plastic_shear) * plastic_shear;
+  return curve_.work(root3 * point[equivalent_strain]);
 }
 
 PointModulus ElasticPlastic::modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const {
@@ -81,7 +89,7 @@ PointModulus ElasticPlastic::modulus(const FamilySums& sums, const double* commi
   const Return r = radial_return(sums, committed);
   PointModulus point;
   point.mean = r.dilatation / d;
-  point.shear = r.scale * r.alpha;
+  point.shear = r.alpha * (r.scale + overlay_) * inner_;
   const bool printed = form == deck::TangentForm::printed && r.yielding;
   if (parameters_.with_dilatation) {
     point.bulk = parameters_.bulk;
@@ -90,11 +98,12 @@ PointModulus ElasticPlastic::modulus(const FamilySums& sums, const double* commi
         printed ? 3 * parameters_.bulk / m - point.shear / 3 : (d * d * parameters_.bulk - point.shear * m) / (m * m);
   }
   if (!r.yielding) return point;
-  // The rank-one state t_trial = alpha q with its coefficient -alpha beta/N^3; hardening adds alpha beta'/N^2. As
+  // The rank-one state t_trial = alpha q with its coefficient -alpha beta/N^3; hardening adds alpha beta'/N^2, and the
+  // part in parallel takes none of it. As
   // printed, the third term carries a Delta(zeta - xi) that (63) does not have: read as one quadrature weight, it keeps
   // only the diagonal.
   const double n = r.trial_norm;
-  point.flow = r.alpha * r.alpha * r.alpha * (r.beta_slope * n - r.beta) / (n * n * n);
+  point.flow = inner_ * r.alpha * r.alpha * r.alpha * (r.beta_slope * n - r.beta) / (n * n * n);
   point.diagonal_only = printed;
   return point;
 }
@@ -105,13 +114,22 @@ ElasticModuli ElasticPlastic::elastic_moduli(int dimension) const {
           parameters_.shear};
 }
 
+std::string ElasticPlastic::Parameters::hardening() const {
+  std::string text = table                 ? fmt::format("hardening by a table of {} rows", table->lines())
+                     : hardening_shear > 0 ? fmt::format("hardening {:g} in shear", hardening_shear)
+                                           : std::string("perfectly plastic");
+  if (kinematic_shear > 0) {
+    if (!table && hardening_shear == 0) text = "isotropic part perfectly plastic";
+    text += fmt::format(", kinematic hardening {:g} in shear", kinematic_shear);
+  }
+  return text;
+}
+
 std::string ElasticPlastic::summary() const {
   return fmt::format(
       "elastic-plastic, k {:g}, mu {:g}, yield {:g} in shear ({:g} in tension), {}, {} yield value, "
       "history: e_p a bond, lambda and equivalent plastic strain a point",
-      parameters_.bulk, parameters_.shear, parameters_.yield_shear, root3 * parameters_.yield_shear,
-      parameters_.hardening_shear > 0 ? fmt::format("hardening {:g} in shear", parameters_.hardening_shear)
-                                      : std::string("perfectly plastic"),
+      parameters_.bulk, parameters_.shear, curve_.stress(0), root3 * curve_.stress(0), parameters_.hardening(),
       parameters_.continuum_yield ? "continuum" : "discrete");
 }
 
@@ -136,20 +154,46 @@ deck::Key stress_choice(const char* name, const char* sentence, bool required, b
   return choice;
 }
 
+deck::Key table_choice() {
+  deck::Key choice = stress_choice(
+      "hardening_table",
+      "Yield stress over plastic strain, in place of yield_stress and hardening_modulus: a CSV file with the columns "
+      "plastic_strain (from 0, rising) and yield_stress; straight between the rows, constant after the last.",
+      false, true, "Of a uniaxial tension test, with its plastic strain along the bar.",
+      "Of pure shear, with the plastic shear strain.");
+  for (deck::Key& entry : choice.keys) {
+    entry.type = deck::Type::path;
+    entry.unit.clear();
+    entry.minimum.reset();
+  }
+  return choice;
+}
+
 deck::ModelDeclaration declaration() {
   deck::ModelDeclaration model{
       "elastic-plastic",
-      "Ordinary state-based plasticity (Mitchell 2011, Eq. 27-65, corrected), perfect or with "
-      "linear isotropic hardening; in plane strain and plane stress with the plastic strain out of the "
-      "plane.",
+      "Ordinary state-based plasticity (Mitchell 2011, Eq. 27-65, corrected), perfect, with isotropic hardening, "
+      "linear or from a table, and with linear kinematic hardening; in plane strain and plane stress with the plastic "
+      "strain out of the plane.",
       elastic_keys()};
-  model.keys.push_back(stress_choice("yield_stress", "Yield stress; say in which test it was measured.", true, false,
+  model.keys.push_back(stress_choice("yield_stress",
+                                     "Yield stress; say in which test it was measured. Needed unless there is a "
+                                     "hardening_table.",
+                                     false, false,
                                      "In uniaxial tension; the yield stress in shear is this over sqrt(3) (Eq. 56).",
                                      "In pure shear (Eq. 57)."));
   model.keys.push_back(
       stress_choice("hardening_modulus", "Linear isotropic hardening; left out: perfect plasticity.", false, true,
                     "Slope of the tension yield stress over equivalent plastic strain; in shear it is a third of this.",
                     "Slope of the shear yield stress over plastic shear strain."));
+  model.keys.push_back(table_choice());
+  model.keys.push_back(stress_choice(
+      "kinematic_hardening_modulus",
+      "Linear kinematic hardening (Prager), alone or beside the isotropic one: the yield surface moves with the "
+      "plastic "
+      "strain, and yields earlier in reverse.",
+      false, true, "Slope of the back stress of a tension test over plastic strain; in shear it is a third of this.",
+      "Slope of the back stress in shear over plastic shear strain."));
   deck::Key scaling;
   scaling.name = "yield_scaling";
   scaling.type = deck::Type::word;
@@ -164,18 +208,64 @@ deck::ModelDeclaration declaration() {
   return model;
 }
 
+/// 0 where the key was left out.
+double shear_slope(const deck::Material& material, const char* key) {
+  if (!material.parameters.has(key)) return 0;
+  const deck::Value& slope = material.parameters.at(key);
+  return slope.has("shear") ? slope.at("shear").number() : slope.at("tension").number() / 3;
+}
+
+/// p has all but its table.
+void read_table(const deck::Material& material, deck::Dimension dimension, ElasticPlastic::Parameters& p) {
+  for (const char* key : {"yield_stress", "hardening_modulus"})
+    if (material.parameters.has(key))
+      deck::refuse(material.parameters.at(key).location(),
+                   fmt::format("material {} has both {} and hardening_table, but the table says both the yield stress "
+                               "and its hardening; keep one",
+                               material.name, key));
+  const deck::Value& choice = material.parameters.at("hardening_table");
+  const bool tension = choice.has("tension");
+  const deck::Value& path = choice.at(tension ? "tension" : "shear");
+  p.table = read_hardening_table(path.text(), path.location(), tension);
+  const double lowest = p.table->lowest_slope();
+  if (lowest >= 0) return;
+  if (p.continuum_yield)
+    deck::refuse(path.location(),
+                 "a hardening table whose yield stress falls needs yield_scaling: discrete, where its slope can be "
+                 "compared with the shear modulus");
+  // What the driving stress falls by at least as the plastic shear strain grows: beside it the return is unique.
+  const ElasticConstants constants{p.bulk, p.shear};
+  const double falls =
+      p.kinematic_shear +
+      (dimension == deck::Dimension::plane_stress ? constants.bulk_of(dimension) / 3 : constants.shear);
+  if (-lowest >= falls)
+    deck::refuse(
+        path.location(),
+        fmt::format("the yield stress of this hardening table falls with a slope of {:g} in {}, at or beyond "
+                    "{:g}, where the return to it is no longer unique; let it fall more slowly",
+                    tension ? 3 * lowest : lowest, tension ? "tension" : "shear", tension ? -3 * falls : -falls));
+}
+
 std::unique_ptr<Material> make_elastic_plastic(const deck::Material& material, deck::Dimension dimension) {
   const ElasticConstants constants = elastic_constants(material);
   ElasticPlastic::Parameters p;
   p.bulk = constants.bulk;
   p.shear = constants.shear;
-  const deck::Value& yield = material.parameters.at("yield_stress");
-  p.yield_shear = yield.has("shear") ? yield.at("shear").number() : yield.at("tension").number() / root3;
-  if (material.parameters.has("hardening_modulus")) {
-    const deck::Value& hardening = material.parameters.at("hardening_modulus");
-    p.hardening_shear = hardening.has("shear") ? hardening.at("shear").number() : hardening.at("tension").number() / 3;
-  }
+  p.kinematic_shear = shear_slope(material, "kinematic_hardening_modulus");
   p.continuum_yield = material.parameters.at("yield_scaling").text() == "continuum";
+  if (material.parameters.has("hardening_table")) {
+    read_table(material, dimension, p);
+  } else {
+    if (!material.parameters.has("yield_stress"))
+      deck::refuse(
+          material.location,
+          fmt::format("material {} needs the key yield_stress (a map with exactly one of tension or shear), or "
+                      "a hardening_table",
+                      material.name));
+    const deck::Value& yield = material.parameters.at("yield_stress");
+    p.yield_shear = yield.has("shear") ? yield.at("shear").number() : yield.at("tension").number() / root3;
+    p.hardening_shear = shear_slope(material, "hardening_modulus");
+  }
   p.with_dilatation = material.parameters.at("dilatation").boolean();
   if (dimension == deck::Dimension::three) return std::make_unique<ElasticPlastic>(p);
   if (p.continuum_yield)

@@ -6,7 +6,9 @@ namespace perinox::materials {
 
 Mandel force_of_fit(const bonds::Moment& moment, const StrainFit& fit, const PointState& point) {
   Mandel h = volumetric(moment);
-  for (std::size_t k = 0; k < h.size(); ++k) h[k] = point.pressure * h[k] + point.shear * fit.slope[k];
+  for (std::size_t k = 0; k < h.size(); ++k) h[k] = point.pressure * h[k] + (point.shear - point.back) * fit.slope[k];
+  if (point.back != 0)
+    for (std::size_t k = 0; k < h.size(); ++k) h[k] += point.back * fit.total_slope[k];
   return h;
 }
 

@@ -74,6 +74,12 @@ StrainFit fit(const bonds::Moment& moment, const Mandel& extension, const Mandel
                                : fit_of<3>(moment, extension, plastic, square, shift);
 }
 
+void fit_total(const bonds::Moment& moment, const Mandel& extension, double total, double shift, StrainFit& result) {
+  const StrainFit alone = fit(moment, extension, {}, total, shift);
+  result.total = alone.square;
+  result.total_slope = alone.slope;
+}
+
 Mandel volumetric(const bonds::Moment& moment) {
   Mandel all{};
   if (moment.dimension == 3)

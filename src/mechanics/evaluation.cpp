@@ -11,6 +11,11 @@ void Evaluation::at(const Scene& scene, const Committed& committed, const double
   displacement_.resize(scene.local_unknowns());
   std::copy(displacement, displacement + scene.owned_unknowns(), displacement_.begin());
   scene.body().halo.update_ghosts(displacement_.data(), scene.dimension());
+  sums_.total.clear();
+  if (back_stress_ && committed.plastic().chunks()) {  // a sweep more, so that the others need no sum more
+    loops_->strain_sums(displacement_.data(), committed.mean().data(), PlasticExtension(), sums_);
+    sums_.total = sums_.square;
+  }
   loops_->strain_sums(displacement_.data(), committed.mean().data(), committed.plastic(), sums_);
   version_ = committed.version();
 }

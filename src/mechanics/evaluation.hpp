@@ -8,7 +8,8 @@ namespace perinox::mechanics {
 /// Newton's residual and its tangent at one state cost one kinematic sweep.
 class Evaluation {
  public:
-  explicit Evaluation(const Scene& scene) : loops_(FamilyLoops::make(scene)) {}
+  explicit Evaluation(const Scene& scene)
+      : loops_(FamilyLoops::make(scene)), back_stress_(mechanics::has_back_stress(scene)) {}
 
   /// Brings the sums to displacement [owned * dimension]. Collective.
   void at(const Scene& scene, const Committed& committed, const double* displacement);
@@ -19,11 +20,14 @@ class Evaluation {
   const std::vector<double>& displacement() const { return displacement_; }  ///< [local * dimension]
 
   FamilyLoops& loops() { return *loops_; }
+  /// Some material has kinematic hardening.
+  bool has_back_stress() const { return back_stress_; }
 
  private:
   std::unique_ptr<FamilyLoops> loops_;
   std::vector<double> displacement_;
   StrainSums sums_;
+  bool back_stress_;
   std::uint64_t version_ = 0;
 };
 

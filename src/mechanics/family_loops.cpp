@@ -1,5 +1,6 @@
 #include "perinox/mechanics/family_loops.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "lattice_loops.hpp"
@@ -14,12 +15,17 @@ materials::FamilySums family_sums(const Scene& scene, const Committed& committed
   sums.extension = strains.extension[i];
   sums.plastic = strains.plastic.empty() ? 0 : strains.plastic[i];
   sums.square = strains.square[i];
+  sums.total = strains.total.empty() ? sums.square : strains.total[i];
   sums.shift = committed.mean()[i];
   sums.weighted_volume = scene.families().weighted_volume[i];
   sums.continuum_weighted_volume = scene.families().continuum_weighted_volume;
   sums.dimension = scene.dimension();
   if (const bonds::Moment* moment = scene.families().moment(i)) {
     fit = materials::fit(*moment, of_fit, plastic_fit, sums.square, sums.shift);
+    if (scene.material(i).has_back_stress()) {
+      fit_total(*moment, of_fit, sums.total, sums.shift, fit);
+      sums.total = fit.total;
+    }
     sums.fitted = true;
     sums.extension = sums.weighted_volume * fit.dilatation / sums.dimension;
     sums.square = fit.square;
@@ -39,8 +45,17 @@ std::unique_ptr<FamilyLoops> FamilyLoops::make_for_tensors(const Scene& scene, b
   return std::make_unique<PairLoops>(scene, purpose);
 }
 
+bool has_back_stress(const Scene& scene) {
+  return std::any_of(scene.materials().begin(), scene.materials().end(),
+                     [](const auto& material) { return material->has_back_stress(); });
+}
+
 FamilyLoops::FamilyLoops(const Scene& scene, Purpose purpose)
-    : halo_(scene.body().halo), d_(scene.dimension()), owned_(scene.owned()), local_(scene.local()) {
+    : halo_(scene.body().halo),
+      d_(scene.dimension()),
+      owned_(scene.owned()),
+      local_(scene.local()),
+      back_stress_(has_back_stress(scene)) {
   if (purpose.tensors) {
     fitted_.resize(static_cast<std::size_t>(owned_));
     std::iota(fitted_.begin(), fitted_.end(), 0);

@@ -30,7 +30,7 @@ void swept_force(const Scene& scene, const Committed& committed, const double* d
   evaluation.at(scene, committed, displacement);
   trial.displacement = evaluation.displacement();
   const auto owned = static_cast<std::size_t>(scene.owned());
-  std::vector<double> radial(owned), shear(owned);
+  std::vector<double> radial(owned), shear(owned), yielded(evaluation.has_back_stress() ? owned : 0);
   std::vector<bonds::Mandel> state(scene.families().moments.size());
   materials::StrainFit fit;
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
@@ -40,6 +40,7 @@ void swept_force(const Scene& scene, const Committed& committed, const double* d
     const bonds::Moment* moment = scene.families().moment(i);
     radial[i] = moment ? 0 : point.radial;
     shear[i] = point.shear;
+    if (!yielded.empty()) yielded[i] = point.shear - point.back;
     if (moment) state[static_cast<std::size_t>(scene.families().fit[i])] = force_of_fit(*moment, fit, point);
     trial.mean[i] = point.mean;
     if (!trial.flow.empty()) trial.flow[i] = point.flow;
@@ -49,7 +50,8 @@ void swept_force(const Scene& scene, const Committed& committed, const double* d
     trial.dissipated += scene.body().volume[i] * point.response.dissipation;
     trial.yielding += point.response.yielding ? 1 : 0;
   }
-  evaluation.loops().forces(radial.data(), shear.data(), state.data(), committed.plastic(), force.data());
+  evaluation.loops().forces(radial.data(), shear.data(), yielded.empty() ? nullptr : yielded.data(), state.data(),
+                            committed.plastic(), force.data());
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t line = 8;  // doubles a cache line
 /// Numbers of the arrays that the sweeps use together.
 namespace place {
-constexpr int u = 0, x = 3, law = 6, mean = 10, out = 11, state = 20, change = 26;
+constexpr int u = 0, x = 3, law = 6, mean = 10, out = 11, state = 20, change = 26, yielded = 32;
 }
 }  // namespace
 
@@ -82,7 +82,7 @@ bonds::Mandel LatticeLoops::take_fit(std::size_t m, int array) const {
 
 std::size_t LatticeLoops::bytes() const {
   return u_.bytes() + x_.bytes() + law_.bytes() + mean_.bytes() + out_.bytes() + state_.bytes() + change_.bytes() +
-         fitted_.size() * (sizeof(LocalIndex) + sizeof(slope_[0]) + sizeof(modulus_[0])) +
+         yielded_.bytes() + fitted_.size() * (sizeof(LocalIndex) + sizeof(slope_[0]) + sizeof(modulus_[0])) +
          fitted_blocks_.size() * sizeof(fitted_blocks_[0]) + fit_marks_.size() +
          (dilatation_.size() + flow_.size() + ghosts_.size() + plastic_.size()) * sizeof(double) +
          blocks_.size() * sizeof(kernels::Block);
@@ -97,6 +97,8 @@ LoopMemory LatticeLoops::expected() const {
   memory.tangent = arrays(d_) + arrays(small_ ? 3 : 4) + arrays(product_results()) + own +
                    static_cast<std::size_t>(cells) * sizeof(double);
   if (moved_) memory.tangent += arrays(d_);
+  if (back_stress_) memory.evaluation += arrays(1);
+  if (back_stress_ && !small_) memory.tangent += arrays(1);
   if (!fitted_.empty()) {
     const std::size_t lists =
         fitted_.size() * sizeof(LocalIndex) + blocks_.size() * sizeof(fitted_blocks_[0]) + fit_marks_.size();
@@ -141,6 +143,14 @@ kernels::LatticeView LatticeLoops::view(double* const* plastic, Range range) con
   view.volume = families_.volume();
   return view;
 }
+
+void LatticeLoops::put_yielded(const double* values) {
+  if (!values) return;
+  require(yielded_, 1, place::yielded);
+  put(values, 1, 0, owned_, yielded_, 0);
+}
+
+const double* LatticeLoops::yielded_of_tangent() const { return yielded_.empty() ? law_[kernels::shear] : yielded_[0]; }
 
 void LatticeLoops::put(const double* values, int components, int first, int last, GridArrays& arrays, int array) const {
   const std::vector<std::int64_t>& cell = families_.grid().cell;
@@ -192,9 +202,10 @@ void LatticeLoops::strain_sums(const double* displacement, const double* shift, 
   if (flowed) take(out_, 2, 1, 0, owned_, sums.plastic.data());
 }
 
-void LatticeLoops::forces(const double* radial, const double* shear, const bonds::Mandel* state,
+void LatticeLoops::forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
                           const PlasticExtension& plastic, double* force) {
   require(law_, 2, place::law);
+  put_yielded(yielded);
   put_fits(state, state_, place::state);
   put(radial, 1, 0, owned_, law_, 0);
   put(shear, 1, 0, owned_, law_, 1);
@@ -206,6 +217,7 @@ void LatticeLoops::forces(const double* radial, const double* shear, const bonds
   }
   g.law[kernels::radial] = law_[0];
   g.law[kernels::shear] = law_[1];
+  g.law[kernels::along] = yielded_.empty() ? law_[1] : yielded_[0];
   sweep(kernels::sweeps().lattice.forces, g);
   take(out_, 0, d_, 0, local_, force);
 }
@@ -227,6 +239,7 @@ void LatticeLoops::linearise(const double* displacement, const TangentLaw& law, 
   keep_fits(law);
   if (!small_) put(law.radial.data(), 1, 0, owned_, law_, kernels::radial);
   put(law.shear.data(), 1, 0, owned_, law_, kernels::shear);
+  if (!small_) put_yielded(law.yielded.empty() ? nullptr : law.yielded.data());
   const std::vector<std::int64_t>& cell = families_.grid().cell;
   const auto cells = static_cast<std::size_t>(families_.grid().size());
   const bool flows = std::any_of(law.flow.begin(), law.flow.end(), [](double flow) { return flow != 0; });
@@ -274,6 +287,7 @@ kernels::LatticeView LatticeLoops::product_view(Bonds bonds) const {
     g.u[c] = moved_ ? u_[c] : nullptr;
     g.x[c] = x_[c];
   }
+  g.x[3] = yielded_of_tangent();
   for (int k = 0; k < (small_ ? 3 : 4); ++k) g.law[k] = law_[k];
   for (int k = 0; k < product_results(); ++k) g.out[k] = out_[k];
   return g;
@@ -328,6 +342,7 @@ void LatticeLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
   kernels::LatticeView g = view(plastic_.empty() ? nullptr : plastic_.data(), every);
   for (int c = 0; c < d_; ++c) g.u[c] = moved_ ? u_[c] : nullptr;
   for (int k = 0; k < (small_ ? 3 : 4); ++k) g.law[k] = law_[k];
+  g.x[3] = yielded_of_tangent();
   if (plastic_body_) g.mean = mean_[0];
   for (int k = 0; k < results; ++k) g.out[k] = out[k];
   sweep(kernels::sweeps().lattice.diagonal_blocks, g);

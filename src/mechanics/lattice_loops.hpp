@@ -11,8 +11,8 @@ class LatticeLoops : public FamilyLoops {
 
   void strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
                    StrainSums& sums) override;
-  void forces(const double* radial, const double* shear, const bonds::Mandel* state, const PlasticExtension& plastic,
-              double* force) override;
+  void forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
+              const PlasticExtension& plastic, double* force) override;
   void linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) override;
   void diagonal_blocks(const TangentLaw& law, double* blocks) override;
   void advance(const double* displacement, const double* mean, const double* flow, PlasticExtension& plastic) override;
@@ -36,6 +36,8 @@ class LatticeLoops : public FamilyLoops {
   void put(const double* values, int components, int first, int last, GridArrays& arrays, int array) const;
   void take(const GridArrays& arrays, int array, int components, int first, int last, double* values) const;
   void require(GridArrays& arrays, int count, int first);
+  void put_yielded(const double* values);
+  const double* yielded_of_tangent() const;
   void put_fits(const bonds::Mandel* values, GridArrays& arrays, int first);
   bonds::Mandel take_fit(std::size_t m, int array) const;
   void find_fitted_blocks();
@@ -52,6 +54,7 @@ class LatticeLoops : public FamilyLoops {
   std::vector<std::int64_t> fitted_blocks_;  ///< [blocks] first of the marks around fitted particles, or -1
   std::vector<std::uint8_t> fit_marks_;      ///< one an offset; empty: nothing is fitted
   GridArrays u_, x_, law_, mean_, state_, change_, out_;
+  GridArrays yielded_;                     ///< empty without kinematic hardening
   std::vector<double> dilatation_, flow_;  ///< [grid] coefficients of the tangent's rank-one terms
   std::vector<double*> plastic_;           ///< [blocks] for the products; empty: nothing flows or has flowed
   std::vector<double> none_;               ///< the plastic extension of a block that flows for the first time

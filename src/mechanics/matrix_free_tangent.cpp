@@ -35,6 +35,7 @@ void MatrixFreeTangent::linearise(const Committed& committed, const double* disp
   const auto owned = static_cast<std::size_t>(scene_.owned());
   for (std::vector<double>* values : {&law_.radial, &law_.shear, &law_.mean, &law_.dilatation, &law_.flow})
     values->resize(owned);
+  law_.yielded.resize(evaluation.has_back_stress() ? owned : 0);
   shear_left_.clear();
   const bonds::Families& families = scene_.families();
   law_.state.resize(families.moments.size());
@@ -51,6 +52,7 @@ void MatrixFreeTangent::linearise(const Committed& committed, const double* disp
     if (modulus.diagonal_only) throw std::logic_error("the printed tangent has no matrix-free product");
     law_.radial[i] = state.radial;
     law_.shear[i] = state.shear;
+    if (!law_.yielded.empty()) law_.yielded[i] = state.shear - state.back;
     law_.mean[i] = modulus.mean;
     law_.dilatation[i] = modulus.radial;
     law_.flow[i] = modulus.flow;
@@ -92,7 +94,7 @@ void MatrixFreeTangent::diagonal_blocks(double* blocks, double dilatation) const
 
 std::size_t MatrixFreeTangent::bytes() const {
   const std::size_t fits = law_.state.size() * (2 * sizeof(bonds::Mandel) + sizeof(law_.modulus[0]));
-  return loops_->bytes() + (5 * law_.radial.size() + shear_left_.size()) * sizeof(double) + fits;
+  return loops_->bytes() + (5 * law_.radial.size() + law_.yielded.size() + shear_left_.size()) * sizeof(double) + fits;
 }
 
 std::unique_ptr<Tangent> make_tangent(const Scene& scene, deck::TangentForm form) {

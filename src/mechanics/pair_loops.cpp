@@ -164,12 +164,13 @@ void PairLoops::strain_sums(const double* displacement, const double* shift, con
   if (plastic.chunks()) take(out_[0], 2, 1, 0, owned_, sums.plastic.data());
 }
 
-void PairLoops::forces(const double* radial, const double* shear, const bonds::Mandel* state,
+void PairLoops::forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
                        const PlasticExtension& plastic, double* force) {
   require(law_);
   put_fits(state, state_);
   put(radial, 1, 0, owned_, law_, kernels::radial);
   put(shear, 1, 0, owned_, law_, kernels::shear);
+  if (plastic_body_) put(yielded ? yielded : shear, 1, 0, owned_, law_, kernels::along);
   clear_results(d_);
   kernels::PairView g = view(families_.interior(), plastic.chunks());
   g.place = reference_.data();
@@ -190,6 +191,7 @@ void PairLoops::linearise(const double* displacement, const TangentLaw& law, con
   put(law.mean.data(), 1, 0, owned_, u_, 3);
   put(law.radial.data(), 1, 0, owned_, law_, kernels::radial);
   put(law.shear.data(), 1, 0, owned_, law_, kernels::shear);
+  if (plastic_body_ && !small_) put((law.yielded.empty() ? law.shear : law.yielded).data(), 1, 0, owned_, x_, 3);
   dilatation_.resize(static_cast<std::size_t>(owned_));
   flow_.resize(static_cast<std::size_t>(owned_));
   bool flows = false;
@@ -276,6 +278,7 @@ void PairLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
   kernels::PairView g = view(families_.interior(), plastic_.empty() ? nullptr : plastic_.data());
   g.place = reference_.data();
   g.u = u_.data();
+  g.x = x_.data();
   g.law = law_.data();
   set_results(g, out);
   both(kernels::sweeps().pairs.diagonal_blocks, g);

@@ -10,8 +10,8 @@ class PairLoops : public FamilyLoops {
 
   void strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
                    StrainSums& sums) override;
-  void forces(const double* radial, const double* shear, const bonds::Mandel* state, const PlasticExtension& plastic,
-              double* force) override;
+  void forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
+              const PlasticExtension& plastic, double* force) override;
   void linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) override;
   void diagonal_blocks(const TangentLaw& law, double* blocks) override;
   void advance(const double* displacement, const double* mean, const double* flow, PlasticExtension& plastic) override;

@@ -113,7 +113,7 @@ void Stress::evaluate(const Committed& committed) {
     trial.resize(scene_.material(i).history().point.size());
     const materials::PointState point = scene_.material(i).state(sums, history, trial.data());
 
-    Mandel along{};  // t = omega (shear (e - e_p) + xi N . along)
+    Mandel along{};  // t = omega (shear (e - e_p) + back e_p + xi N . along)
     if (const bonds::Moment* moment = scene_.families().moment(i))
       along = force_of_fit(*moment, fit, point);
     else
@@ -122,8 +122,9 @@ void Stress::evaluate(const Committed& committed) {
     const Eigen::Map<const Matrix> moment(family.moment.data(), n, n), inverse(family.inverse.data(), n, n);
     Mandel stress{}, strain{};
     Eigen::Map<Column>(strain.data(), n) = inverse * column(strains.fit[at], n);
-    Eigen::Map<Column>(stress.data(), n) =
-        point.shear * (column(strains.fit[at], n) - column(strains.plastic_fit[at], n)) + moment * column(along, n);
+    Eigen::Map<Column>(stress.data(), n) = point.shear * column(strains.fit[at], n) -
+                                           (point.shear - point.back) * column(strains.plastic_fit[at], n) +
+                                           moment * column(along, n);
     put(i, strain, point.response.strain_zz, strain_);
     put(i, stress, point.response.stress_zz, stress_);
 

@@ -76,8 +76,8 @@ const Mistake mistakes_in_decks[] = {
      "deck.yaml:1:1: a deck needs the key horizon (a map with exactly one of ratio or length): Distance up to "
      "which two particles interact."},
     {"missing_yield_stress", &base_deck, "    yield_stress: {tension: 203.1}\n", "",
-     "deck.yaml:13:5: a material needs the key yield_stress (a map with exactly one of tension or shear): Yield "
-     "stress; say in which test it was measured."},
+     "deck.yaml:13:5: material steel needs the key yield_stress (a map with exactly one of tension or shear), or a "
+     "hardening_table"},
     {"missing_spacing", &base_deck, "    spacing: 1.0\n", "",
      "deck.yaml:4:5: the body block needs the key spacing: only a point cloud can do without"},
     {"missing_component", &base_deck, ", component: z}", "}",

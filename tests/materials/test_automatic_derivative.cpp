@@ -30,7 +30,8 @@ struct Problem {
   YieldSurface surface;  ///< stress zero: elastic
   double kappa;
   Vector plastic_extension;
-  double plastic_shear;  ///< gamma_p before the step
+  double plastic_shear;                                         ///< gamma_p before the step
+  double overlay() const { return surface.kinematic / shear; }  ///< h = H_k/mu; plastic_extension is (1 + h) e_p
 
   double alpha() const { return family->dimension * (family->dimension + 2) * shear / family->weighted_volume; }
   double yield_scale() const {
@@ -68,11 +69,19 @@ Scalar trial_norm(const Problem& problem, const std::vector<Scalar>& trial) {
   return sqrt(square);
 }
 
+/// alpha sqrt(sum omega e_d^2 weight).
+template <class Scalar>
+Scalar total_norm(Problem problem, const std::vector<Scalar>& extension) {
+  problem.plastic_extension.assign(extension.size(), 0.0);
+  return trial_norm(problem, trial_state(problem, extension));
+}
+
 /// beta(N) on the way up: constant, or linear with the slope H/(H + alpha/c^2).
 struct Surface {
   explicit Surface(const Problem& p)
       : start(p.yield_scale() * (p.surface.stress + p.surface.hardening * p.plastic_shear)),
-        slope(p.surface.hardening / (p.surface.hardening + p.alpha() / (p.yield_scale() * p.yield_scale()))) {}
+        slope(p.surface.hardening /
+              (p.surface.hardening + (1 + p.overlay()) * p.alpha() / (p.yield_scale() * p.yield_scale()))) {}
   double start, slope;
 };
 
@@ -81,14 +90,14 @@ template <class Scalar>
 Scalar potential(const Problem& problem, const std::vector<Scalar>& extension) {
   const Scalar theta = dilatation(problem, extension);
   const Scalar norm = trial_norm(problem, trial_state(problem, extension));
-  const Scalar volumetric = 0.5 * problem.kappa * theta * theta;
+  const double h = problem.overlay(), inner = (1 + h) * problem.alpha();
+  const Scalar total = total_norm(problem, extension);
+  const Scalar volumetric = 0.5 * problem.kappa * theta * theta + h * total * total / (2 * inner);
   const Surface surface(problem);
-  if (problem.surface.stress == 0 || plain(norm) <= surface.start)
-    return volumetric + norm * norm / (2 * problem.alpha());
+  if (problem.surface.stress == 0 || plain(norm) <= surface.start) return volumetric + norm * norm / (2 * inner);
   const Scalar beyond = norm - surface.start;
   return volumetric +
-         (0.5 * surface.start * surface.start + surface.start * beyond + 0.5 * surface.slope * beyond * beyond) /
-             problem.alpha();
+         (0.5 * surface.start * surface.start + surface.start * beyond + 0.5 * surface.slope * beyond * beyond) / inner;
 }
 
 template <class Scalar>
@@ -96,13 +105,17 @@ std::vector<Scalar> force_state(const Problem& problem, const std::vector<Scalar
   const RandomFamily& f = *problem.family;
   const Scalar theta = dilatation(problem, extension);
   std::vector<Scalar> state = trial_state(problem, extension);
+  const double h = problem.overlay();
+  Problem elastic = problem;
+  elastic.plastic_extension.assign(extension.size(), 0.0);
+  const std::vector<Scalar> parallel = trial_state(elastic, extension);
   const Scalar norm = trial_norm(problem, state);
   const Surface surface(problem);
   const bool flows = problem.surface.stress > 0 && plain(norm) > surface.start;
   const Scalar scale = flows ? (surface.start + surface.slope * (norm - surface.start)) / norm : Scalar(1.0);
   for (std::size_t j = 0; j < state.size(); ++j)
-    state[j] =
-        scale * state[j] + theta * (f.dimension * problem.kappa / f.weighted_volume * f.influence[j] * f.length[j]);
+    state[j] = (scale * state[j] + h * parallel[j]) / (1 + h) +
+               theta * (f.dimension * problem.kappa / f.weighted_volume * f.influence[j] * f.length[j]);
   return state;
 }
 
@@ -199,8 +212,8 @@ TEST_P(AutomaticDerivative, ForceStateByComplexStep) {
 std::vector<MaterialRow> rows_of_the_second_implementation() {
   std::vector<MaterialRow> rows;
   for (const MaterialRow& row : material_table())
-    for (const char* name :
-         {"elastic", "elastic_plane_strain", "plastic_perfect", "plastic_hardening", "plastic_continuum_hardening"})
+    for (const char* name : {"elastic", "elastic_plane_strain", "plastic_perfect", "plastic_hardening",
+                             "plastic_continuum_hardening", "plastic_combined", "plastic_continuum_combined"})
       if (row.name == name) rows.push_back(row);
   return rows;
 }

@@ -129,6 +129,7 @@ deck::Material plastic_of(const char* test_kind, double yield, const char* harde
                                          {"dilatation", scalar("true")},
                                          {"yield_stress", choice(test_kind, yield)},
                                          {"hardening_modulus", choice(hardening_kind, hardening)},
+                                         {"kinematic_hardening_modulus", choice(hardening_kind, 2 * hardening)},
                                          {"yield_scaling", scalar("discrete")}});
 }
 
@@ -137,7 +138,8 @@ TEST(Registry, TensionAndShearYieldMeanTheSameMaterial) {
   const auto tension = make(plastic_of("tension", 300e6, "tension", 6e9), deck::Dimension::three);
   const auto shear = make(plastic_of("shear", 300e6 / std::sqrt(3.0), "shear", 2e9), deck::Dimension::three);
   EXPECT_EQ(tension->summary(), shear->summary());
-  EXPECT_THAT(tension->summary(), HasSubstr("(3e+08 in tension), hardening 2e+09 in shear"));
+  EXPECT_THAT(tension->summary(),
+              HasSubstr("(3e+08 in tension), hardening 2e+09 in shear, kinematic hardening 4e+09 in shear"));
   EXPECT_EQ(tension->history().per_bond, 1);
 }
 

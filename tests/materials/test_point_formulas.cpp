@@ -127,15 +127,18 @@ TEST_P(PlasticPointFormulas, EndsOnTheYieldSurfaceAndStaysThere) {
   const double d = row().dimension, m = family_.weighted_volume;
   const Evaluation now = point_.evaluate(extension_);
 
-  // The norm of t_d, from the force state alone; a bond without influence carries none.
+  // The norm of what yields, from the force state and the history; a bond without influence carries none.
   double square = 0;
   const double pressure = d * bulk * now.response.dilatation / m;
-  for (int j = 0; j < bonds; ++j) {
-    const double deviatoric = now.force_state[j] - pressure * family_.influence[j] * family_.length[j];
-    if (family_.influence[j] > 0) square += deviatoric * deviatoric / family_.influence[j] * family_.weight[j];
-  }
+  // Less the back stress alpha h e_p, h = H_k/mu; the bonds carry (1 + h) e_p.
+  const double overlay = surface.kinematic / shear, back = d * (d + 2) * shear / m * overlay / (1 + overlay);
+  const auto yields = [&](int j) {
+    return now.force_state[j] - family_.influence[j] * (pressure * family_.length[j] + back * now.bond_history[j]);
+  };
+  for (int j = 0; j < bonds; ++j)
+    if (family_.influence[j] > 0) square += yields(j) * yields(j) / family_.influence[j] * family_.weight[j];
   // beta^2 = 2 psi0 = d(d+2) tau^2/m; the equivalent strain is gamma_p/sqrt(3).
-  const double tau = surface.stress + surface.hardening * std::sqrt(3.0) * now.point_history.at(1);
+  const double tau = surface.yield_stress(std::sqrt(3.0) * now.point_history.at(1));
   const double beta = tau * std::sqrt(d * (d + 2) / (surface.continuum ? family_.continuum_weighted_volume : m));
   if (!path().yields) {
     EXPECT_LT(std::sqrt(square), beta);
@@ -152,13 +155,14 @@ TEST_P(PlasticPointFormulas, EndsOnTheYieldSurfaceAndStaysThere) {
   const double lambda = now.point_history.at(0) - point_.committed_point().at(0);
   const double flow = std::sqrt(3.0) * (now.point_history.at(1) - point_.committed_point().at(1));
   EXPECT_GT(now.response.dissipation, 0);
-  EXPECT_LE(measured("materials: dissipation against yield stress times flow",
-                     std::abs(now.response.dissipation / ((tau - 0.5 * surface.hardening * flow) * flow) - 1)),
-            1e-13);
+  if (!surface.table) {  // test_hardening.cpp has its work
+    EXPECT_LE(measured("materials: dissipation against yield stress times flow",
+                       std::abs(now.response.dissipation / ((tau - 0.5 * surface.hardening * flow) * flow) - 1)),
+              1e-13);
+  }
   double work = 0;
   for (int j = 0; j < bonds; ++j)
-    work += (now.force_state[j] - pressure * family_.influence[j] * family_.length[j]) *
-            (now.bond_history[j] - point_.committed_bond()[j]) * family_.weight[j];
+    work += yields(j) * (now.bond_history[j] - point_.committed_bond()[j]) / (1 + overlay) * family_.weight[j];
   EXPECT_LE(measured("materials: t_d . de_p against lambda beta^2", std::abs(work / (lambda * beta * beta) - 1)),
             1e-14);  // 6.7e-16
   EXPECT_LE(measured("materials: t_d . de_p against yield stress times flow", std::abs(work / (tau * flow) - 1)),

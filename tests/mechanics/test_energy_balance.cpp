@@ -58,7 +58,8 @@ Ledger ledger_of(const mechanics::Scene& scene, int steps) {
 
 TEST(EnergyBalance, WorkIsStoredOrDissipated) {
   for (const char* name : {"plastic_perfect", "plastic_hardening", "plastic_continuum_hardening",
-                           "plane_strain_hardening", "plane_stress_perfect"}) {
+                           "plane_strain_hardening", "plane_stress_perfect", "plastic_combined", "plastic_table",
+                           "plane_strain_combined", "plane_stress_table_kinematic"}) {
     SCOPED_TRACE(name);
     const mechanics::Scene scene = small_scene(row_named(name), deck::Influence::constant, deck::Quadrature::whole);
     const Ledger coarse = ledger_of(scene, 40), fine = ledger_of(scene, 160);

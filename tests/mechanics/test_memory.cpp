@@ -36,7 +36,8 @@ std::size_t tangent_bytes(const mechanics::Scene& scene, double strain) {
   const mechanics::Committed committed(scene);
   tangent.linearise(committed, field_of(scene, {strain}).data(), deck::TangentForm::consistent);
   times(tangent, random_field(scene, 1, 3));
-  const std::size_t values = tangent.shear_left().empty() ? 5 : 6;  // a particle, besides the loops
+  std::size_t values = tangent.shear_left().empty() ? 5 : 6;  // a particle, besides the loops
+  if (mechanics::has_back_stress(scene)) ++values;
   const std::size_t fits = scene.families().moments.size() * (2 * sizeof(bonds::Mandel) + sizeof(double[36]));
   return tangent.bytes() - values * static_cast<std::size_t>(scene.owned()) * sizeof(double) - fits;
 }
@@ -46,6 +47,7 @@ TEST(Memory, IsWhatCheckForetells) {
     for (const bool small : {false, true})
       for (const auto& [row, quadrature] :
            {std::pair(&elastic(), deck::Quadrature::whole), std::pair(&plastic(), deck::Quadrature::whole),
+            std::pair(&row_named("plastic_combined"), deck::Quadrature::whole),
             std::pair(&elastic(), deck::Quadrature::position_aware),
             std::pair(&plastic(), deck::Quadrature::position_aware)}) {
         SCOPED_TRACE(row->name);

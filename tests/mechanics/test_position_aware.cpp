@@ -2,16 +2,14 @@
 /// strain has its exact dilatation and energy, and a point yields at the yield stress whatever the direction of shear.
 #include <gtest/gtest.h>
 
-#include "perinox/materials/elastic.hpp"
-#include "perinox/materials/elastic_plastic.hpp"
+#include "perinox/mechanics/stress.hpp"
+#include "support/local_plasticity.hpp"
 #include "support/measured.hpp"
 #include "support/scenes.hpp"
 
 namespace perinox::test {
 namespace {
 
-constexpr double bulk = 67.5e3;
-constexpr double shear = 25.9e3;
 constexpr double yield = 117.3;
 const double pi = std::acos(-1.0);
 
@@ -108,6 +106,71 @@ TEST(PositionAware, PlainFormulasInside) {
     bool inside = true;
     for (int c = 0; c < 3; ++c) inside = inside && std::abs(scene.body().position(i)[c] - 1.375) < 0.51;
     EXPECT_EQ(scene.families().moment(i) == nullptr, inside);
+  }
+}
+
+/// Largest difference of the stress field, over the yield stress, and of the strain field, over the yield strain.
+double fields_off(const mechanics::Scene& scene, const mechanics::Committed& committed, const LocalPlasticity& solid,
+                  const Tensor& strain) {
+  constexpr std::size_t place[6] = {0, 5, 4, 1, 3, 2};  // of xx xy xz yy yz zz
+  const Tensor stress = solid.stress(strain);
+  mechanics::Stress fields(scene);
+  fields.evaluate(committed);
+  double worst = 0;
+  for (std::size_t k = 0; k < fields.stress().size(); ++k) {
+    worst = std::max(worst, std::abs(fields.stress()[k] - stress[place[k % 6]]) / yield_shear);
+    worst = std::max(worst, std::abs(fields.strain()[k] - strain[place[k % 6]]) / yield_strain);
+  }
+  return worst;
+}
+
+/// With every kind of hardening every point is classical J2 plasticity, along a path that loads, turns and comes back;
+/// surfaces, corners, cracks and clouds included.
+TEST(PositionAware, HardensAsTheLocalSolidEverywhere) {
+  const std::vector<Tensor> path{
+      {1, 0.4, 0, 0, 0, 2}, {4, -1, 0, 0, 0, 3}, {-3, 2, 0, 0, 0, -1}, {-3, 1.9, 0, 0, 0, -0.9}, {5, 1, 0, 0, 0, -4}};
+  for (const Shape& shape : shapes()) {
+    SCOPED_TRACE(shape.name);
+    const deck::Dimension dimension = shape.deck.dimension;
+    for (const Hardening& hardening : hardenings()) {
+      SCOPED_TRACE(hardening.name);
+      std::unique_ptr<materials::Material> material;
+      if (dimension == deck::Dimension::three)
+        material = std::make_unique<materials::ElasticPlastic>(hardening.parameters());
+      else
+        material = std::make_unique<materials::PlanePlastic>(hardening.parameters(), dimension);
+      const mechanics::Scene scene = make_scene(shape.deck, materials_of(std::move(material)));
+      ASSERT_FALSE(scene.families().moments.empty());
+      mechanics::Committed committed(scene);
+      LocalPlasticity solid = hardening.point();
+      for (Tensor strain : path) {
+        for (double& value : strain) value *= yield_strain;
+        if (dimension == deck::Dimension::three) strain[2] = strain[3] = strain[4] = 0.7 * strain[0];
+        if (dimension == deck::Dimension::plane_stress) strain[2] = solid.free_strain(strain);
+        const Matrix gradient{{{1 + strain[0], strain[5], strain[4]},
+                               {strain[5], 1 + strain[1], strain[3]},
+                               {strain[4], strain[3], 1 + strain[2]}}};
+        LocalPlasticity next;
+        solid.stress(strain, &next);
+        mechanics::Trial trial = internal_force(scene, committed, affine_field(scene, gradient)).trial;
+        const double energy = next.stored_energy(strain);
+        double worst = 0, flow = 0;
+        for (LocalIndex i = 0; i < scene.owned(); ++i) {
+          worst = std::max(worst, std::abs(trial.stored_energy[i] / energy - 1));
+          const double gamma =
+              std::sqrt(3.0) * trial.point_history[static_cast<std::size_t>(scene.point_history()[i]) + 1];
+          flow = std::max(flow, std::abs(gamma - next.gamma) / yield_strain);
+        }
+        EXPECT_LE(measured("position-aware: stored energy against J2", worst), 1e-10);  // 2.6e-13
+        EXPECT_LE(measured("position-aware: gamma_p against J2", flow), 1e-10);         // 8.4e-13
+        committed.advance(scene, std::move(trial));
+        solid = next;
+        EXPECT_LE(measured("position-aware: stress and strain fields against J2",
+                           fields_off(scene, committed, solid, strain)),
+                  1e-10);
+      }
+    }
+    if (shape.name == "cloud") remove_cloud(shape.deck);
   }
 }
 

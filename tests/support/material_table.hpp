@@ -2,6 +2,7 @@
 /// Every material and the states it is tested in. A new material needs one row in materials() and nothing else.
 #include <functional>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ constexpr double shear = 25.9e3;
 constexpr double yield_shear = 117.26;                // about 203.1/sqrt(3)
 constexpr double yield_strain = yield_shear / shear;  // shear strain at first yield
 constexpr double hardening_shear = 0.1 * shear;       // strong enough to tell from perfect plasticity
+constexpr double kinematic_shear = 0.15 * shear;
 
 /// What an elastic-plastic row promises beyond its potential.
 struct YieldSurface {
@@ -27,6 +29,14 @@ struct YieldSurface {
   bool continuum = false;         ///< beta from the continuum weighted volume
   bool volume_preserving = true;  ///< e_p is deviatoric
   bool plane = false;             ///< part of the yield value is out of the plane
+  double kinematic = 0;           ///< d back stress/d gamma_p
+  bool table = false;             ///< a yield stress that falls after a rise, in place of `hardening`
+
+  std::optional<materials::HardeningCurve> curve() const {
+    if (!table) return {};
+    return materials::HardeningCurve({{0, stress}, {1.1 * yield_strain, 1.3 * stress}, {4.3 * yield_strain, stress}});
+  }
+  double yield_stress(double gamma) const { return table ? curve()->stress(gamma) : stress + hardening * gamma; }
 };
 
 struct MaterialRow {
@@ -49,13 +59,16 @@ inline std::vector<MaterialRow> material_table() {
   const auto plastic = [](const YieldSurface& surface) {
     return [=] {
       return std::make_unique<ElasticPlastic>(ElasticPlastic::Parameters{bulk, shear, surface.stress, surface.hardening,
-                                                                         surface.continuum, surface.volume_preserving});
+                                                                         surface.continuum, surface.volume_preserving,
+                                                                         surface.kinematic, surface.curve()});
     };
   };
   const auto plane = [](const YieldSurface& surface, deck::Dimension dimension) {
     return [=] {
       return std::make_unique<materials::PlanePlastic>(
-          ElasticPlastic::Parameters{bulk, shear, surface.stress, surface.hardening, false, true}, dimension);
+          ElasticPlastic::Parameters{bulk, shear, surface.stress, surface.hardening, false, true, surface.kinematic,
+                                     surface.curve()},
+          dimension);
     };
   };
   const YieldSurface flat{yield_shear, 0, false, true, true};
@@ -65,6 +78,12 @@ inline std::vector<MaterialRow> material_table() {
   const YieldSurface continuum{yield_shear, 0, true, true};
   const YieldSurface continuum_hardening{yield_shear, hardening_shear, true, true};
   const YieldSurface bondwise{yield_shear, hardening_shear, false, false};
+  const YieldSurface combined{yield_shear, hardening_shear, false, true, false, kinematic_shear};
+  const YieldSurface continuum_combined{yield_shear, hardening_shear, true, true, false, kinematic_shear};
+  const YieldSurface bondwise_combined{yield_shear, hardening_shear, false, false, false, kinematic_shear};
+  const YieldSurface table{yield_shear, 0, false, true, false, 0, true};
+  const YieldSurface flat_combined{yield_shear, hardening_shear, false, true, true, kinematic_shear};
+  const YieldSurface flat_table{yield_shear, 0, false, true, true, kinematic_shear, true};
   return {
       {"elastic", "elastic", 3, elastic(bulk, true)},
       {"elastic_plane_strain", "elastic", 2, elastic(k_mu.bulk_of(deck::Dimension::plane_strain), true)},
@@ -87,6 +106,20 @@ inline std::vector<MaterialRow> material_table() {
        2,
        plane(flat_hardening, deck::Dimension::plane_stress),
        {flat_hardening}},
+      {"plastic_combined", "elastic-plastic", 3, plastic(combined), {combined}},
+      {"plastic_continuum_combined", "elastic-plastic", 3, plastic(continuum_combined), {continuum_combined}},
+      {"plastic_dilatation_off_combined", "elastic-plastic", 3, plastic(bondwise_combined), {bondwise_combined}},
+      {"plastic_table", "elastic-plastic", 3, plastic(table), {table}},
+      {"plane_strain_combined",
+       "elastic-plastic",
+       2,
+       plane(flat_combined, deck::Dimension::plane_strain),
+       {flat_combined}},
+      {"plane_stress_table_kinematic",
+       "elastic-plastic",
+       2,
+       plane(flat_table, deck::Dimension::plane_stress),
+       {flat_table}},
   };
 }
 

@@ -1,12 +1,20 @@
 #pragma once
+#include <optional>
+
 #include "perinox/materials/elastic_constants.hpp"
+#include "perinox/materials/hardening_curve.hpp"
 #include "perinox/materials/material.hpp"
 
 namespace perinox::materials {
 
 /// Ordinary state-based plasticity, Mitchell 2011 Eq. 27-45, 51-57, 63-65 with its errata mended, for every influence
-/// function (1/omega-weighted norm), perfect or with linear isotropic hardening; 3-D. PlanePlastic is its 2-D form.
-/// History: e_p a bond; plastic_multiplier lambda and equivalent_plastic_strain (tension measure) a point.
+/// function (1/omega-weighted norm), perfect, with isotropic hardening (linear or a table), with linear kinematic
+/// hardening (Prager), or both; 3-D. PlanePlastic is its 2-D form.
+/// Kinematic hardening of modulus H_k is the solid in parallel with an elastic one: with h = H_k/mu,
+///     W = kappa theta^2/2 + alpha/(2(1 + h)) (sum omega (e_d - z)^2 weight + h sum omega e_d^2 weight),
+/// and alpha (e_d - z) is what yields.
+/// History: z = (1 + h) e_p a bond, which is e_p without kinematic hardening; plastic_multiplier lambda and
+/// equivalent_plastic_strain (tension measure) a point.
 class ElasticPlastic : public Material {
  public:
   struct Parameters {
@@ -16,12 +24,18 @@ class ElasticPlastic : public Material {
     double hardening_shear = 0;    ///< d tau_y / d gamma_p
     bool continuum_yield = false;  ///< psi0 from the continuum m (Eq. 51) instead of each point's own
     bool with_dilatation = true;
+    double kinematic_shear = 0;             ///< H_k: slope of the back stress in shear over plastic shear strain
+    std::optional<HardeningCurve> table{};  ///< takes the place of yield_shear and hardening_shear
+
+    HardeningCurve curve() const { return table ? *table : HardeningCurve(yield_shear, hardening_shear); }
+    std::string hardening() const;  ///< for summary()
   };
   explicit ElasticPlastic(const Parameters& parameters);
 
   HistoryLayout history() const override;
   using Material::modulus;
   bool takes_fit() const override { return parameters_.with_dilatation; }
+  bool has_back_stress() const override { return parameters_.kinematic_shear > 0; }
   PointState state(const FamilySums& sums, const double* committed, double* trial) const override;
   double plastic_work(const double* point) const override;
   PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const override;
@@ -33,7 +47,7 @@ class ElasticPlastic : public Material {
   struct Return {
     double dilatation = 0;
     double alpha = 0;          ///< d(d+2) mu/m
-    double strain_square = 0;  ///< sum omega (e_d - e_p^n)^2 weight
+    double strain_square = 0;  ///< sum omega (e_d - z^n)^2 weight
     double trial_norm = 0;     ///< N (Eq. 40, weighted)
     double yield_scale = 0;    ///< c: beta = c tau
     double scale = 1;          ///< s = beta/N; 1 where elastic
@@ -46,6 +60,9 @@ class ElasticPlastic : public Material {
   Return radial_return(const FamilySums& sums, const double* committed) const;
 
   Parameters parameters_;
+  HardeningCurve curve_;
+  double overlay_;  ///< h = H_k/mu
+  double inner_;    ///< 1/(1 + h), share of the stiffness that yields
 };
 
 }  // namespace perinox::materials

@@ -26,18 +26,23 @@ struct FamilySums {
   double extension = 0;  ///< (omega xi) . e
   double plastic = 0;    ///< (omega xi) . e_p
   double square = 0;     ///< sum omega (e - e_p - shift xi)^2 weight
+  double total = 0;      ///< sum omega (e - shift xi)^2 weight; only for a material with a back stress
   double shift = 0;      ///< any number near theta/d: the nearer, the less cancels
   double weighted_volume = 0;
   double continuum_weighted_volume = 0;
   int dimension = 3;
-  bool fitted = false;  ///< extension is m theta/d and square what StrainFit has, which needs no mean
+  bool fitted = false;  ///< extension is m theta/d, square and total what StrainFit has, which needs no mean
 
   /// sum omega (e - e_p - mean xi)^2 weight, or what stands for it where the strain is fitted.
-  double square_about(double mean) const {
-    if (fitted) return square;
+  double square_about(double mean) const { return moved(square, extension - plastic, mean); }
+  /// The same of e alone, sum omega (e - mean xi)^2 weight.
+  double total_about(double mean) const { return moved(total, extension, mean); }
+
+ private:
+  double moved(double about_shift, double first, double mean) const {
+    if (fitted) return about_shift;
     const double away = mean - shift;
-    const double value =
-        square - 2 * away * (extension - plastic - shift * weighted_volume) + away * away * weighted_volume;
+    const double value = about_shift - 2 * away * (first - shift * weighted_volume) + away * away * weighted_volume;
     return value > 0 ? value : 0;
   }
 };
@@ -71,17 +76,18 @@ struct PointResponse {
   double strain_zz = 0;            ///< 2-D: strain out of the plane
 };
 
-/// Force state of one point, t<xi> = omega (radial xi + shear (e - e_p)), and what follows from it.
+/// Force state of one point, t<xi> = omega (radial xi + shear (e - e_p) + back e_p), and what follows from it.
 struct PointState {
   PointResponse response;
   double radial = 0;
   double shear = 0;
+  double back = 0;      ///< 0 but for a material with a back stress
   double pressure = 0;  ///< kappa theta: takes the place of `radial` where the strain is fitted
   double mean = 0;      ///< theta/d
   double flow = 0;      ///< e_p grows by flow (e - mean xi - e_p) when the state is committed
 };
 
-/// H of a fitted point: its force state is omega (shear (e - e_p) + xi N . H).
+/// H of a fitted point: its force state is omega (shear (e - e_p) + back e_p + xi N . H).
 Mandel force_of_fit(const bonds::Moment& moment, const StrainFit& fit, const PointState& point);
 
 /// Its linearisation, dt<xi> = omega shear de + radial (omega xi)(omega xi . de) + flow q (q . de),

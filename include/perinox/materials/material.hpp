@@ -18,9 +18,9 @@ struct ElasticModuli {
 
 /// An ordinary material: the energy, force state and modulus state of a point. Nothing else in the code knows what the
 /// material is. Stateless: all history is handed in. Where the force state is t<xi> = omega (radial xi + shear (e -
-/// e_p)) with coefficients that depend on sums over the family only, a material gives state() and modulus(sums), and
-/// the fast sweeps do the rest. Any other law says so in from_sums() and gives respond() and modulus(family), bond by
-/// bond; its scenes take the loops over stored bonds.
+/// e_p) + back e_p) with coefficients that depend on sums over the family only, a material gives state() and
+/// modulus(sums), and the fast sweeps do the rest. Any other law says so in from_sums() and gives respond() and
+/// modulus(family), bond by bond; its scenes take the loops over stored bonds.
 class Material {
  public:
   virtual ~Material() = default;
@@ -31,6 +31,8 @@ class Material {
   /// position-aware): the energy has to be one of dilatation and deviatoric extension. Otherwise its points keep
   /// `radial`.
   virtual bool takes_fit() const { return false; }
+  /// True where state() gives `back`: kinematic hardening. The sums then have `total`.
+  virtual bool has_back_stress() const { return false; }
 
   /// The point's answer to the sums at a state under trial. Reads the committed point history, writes every entry of
   /// the trial one (both [HistoryLayout::point.size()]).

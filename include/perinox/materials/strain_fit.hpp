@@ -16,9 +16,14 @@ struct StrainFit {
   double dilatation = 0;  ///< theta = tr eps(e)
   double square = 0;      ///< stands for sum w (e_d - e_p)^2: 2m/(d(d+2)) |dev eps(y)|^2 + sum w rest(y)^2
   Mandel slope{};         ///< g: half the derivative of `square` by e is w (y + xi N . g)
+  // The same of y = e, only for a material with a back stress.
+  double total = 0;
+  Mandel total_slope{};
 };
 /// extension, plastic: sum w xi N e and e_p. square: sum w (e - e_p - shift xi)^2, the shift near theta/d.
 StrainFit fit(const bonds::Moment& moment, const Mandel& extension, const Mandel& plastic, double square, double shift);
+/// Fills total and total_slope; total: sum w (e - shift xi)^2.
+void fit_total(const bonds::Moment& moment, const Mandel& extension, double total, double shift, StrainFit& fit);
 
 /// M^-1 I: the force state of a pressure p = kappa theta is p w xi N . M^-1 I.
 Mandel volumetric(const bonds::Moment& moment);

@@ -13,6 +13,7 @@ namespace perinox::mechanics {
 /// Sums over the families, one value an owned particle: what materials::FamilySums holds.
 struct StrainSums {
   std::vector<double> extension, plastic, square;
+  std::vector<double> total;                    ///< with kinematic hardening, where something has flowed; else empty
   std::vector<bonds::Mandel> fit, plastic_fit;  ///< [moments] sum omega xi N e weight, and of e_p
 };
 
@@ -24,13 +25,14 @@ materials::FamilySums family_sums(const Scene& scene, const Committed& committed
 
 /// Coefficients of every owned particle's tangent: see materials::PointState and PointModulus. [owned] each.
 struct TangentLaw {
-  std::vector<double> radial, shear;  ///< of the force state: t = omega (radial xi + shear (e - e_p))
+  std::vector<double> radial, shear;  ///< of the force state: t = omega (radial xi + shear e - yielded e_p)
+  std::vector<double> yielded;        ///< empty where it is shear everywhere
   std::vector<double> mean;           ///< theta/d
   std::vector<double> dilatation;     ///< coefficient of (omega xi)(omega xi . de)
   std::vector<double> flow;           ///< coefficient of q (q . de)
   // [moments], in the order of Families::moments. Fitted particles' `radial` is zero, and their `dilatation` that of an
   // isotropic fit, for their neighbours' diagonal blocks.
-  std::vector<bonds::Mandel> state;             ///< t = omega (shear (e - e_p) + xi N . H)
+  std::vector<bonds::Mandel> state;             ///< t = omega (shear e - yielded e_p + xi N . H)
   std::vector<bonds::Mandel> slope;             ///< q = omega (e - e_p + xi N . g)
   std::vector<std::array<double, 36>> modulus;  ///< A of materials::strain_modulus
 };
@@ -41,6 +43,9 @@ struct LoopMemory {
   std::size_t tangent = 0;     ///< products; diagonal blocks need twelve arrays more for a moment, 30 with fits
   std::size_t plastic = 0;     ///< plastic extension, once everything has flowed; nothing where nothing has
 };
+
+/// True where some material has kinematic hardening.
+bool has_back_stress(const Scene& scene);
 
 /// The loops over the bonds of one scene, and their arrays: internal force, tangent product, diagonal blocks, growth of
 /// plastic extension, all on the same sweeps. What an elastic or a small-strain scene does not need is not in its
@@ -60,8 +65,8 @@ class FamilyLoops {
                            StrainSums& sums) = 0;
   /// Internal force at the displacement of the last strain_sums: [local * dimension], what this rank's families exert
   /// on owned particles and on ghosts.
-  /// radial, shear: [owned]; state: [moments] as in TangentLaw.
-  virtual void forces(const double* radial, const double* shear, const bonds::Mandel* state,
+  /// radial, shear, yielded: [owned], yielded null as a whole where it is shear; state: [moments] as in TangentLaw.
+  virtual void forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
                       const PlasticExtension& plastic, double* force) = 0;
 
   /// Keeps the state that the next products are taken at. displacement: [local * dimension], ghosts up to date. The
@@ -112,6 +117,7 @@ class FamilyLoops {
 
   body::Halo halo_;
   int d_, owned_, local_;
+  bool back_stress_;  ///< some material has one, and `yielded` its own place
   int fit_of(LocalIndex i) const { return fit_of_.empty() ? -1 : fit_of_[i]; }
 
   std::vector<LocalIndex> fitted_;    ///< [moments] the particle

@@ -128,10 +128,11 @@ struct StrainSums {
 
 template <int d, bool small, bool plastic, bool fitted>
 struct Forces {
-  Vector u[d], radial, shear, state[8], force[d] = {};
+  Vector u[d], radial, shear, yielded, state[8], force[d] = {};
 
   template <class Own>
-  PERINOX_INLINE explicit Forces(const Own& own) : radial(own.law(Law::radial)), shear(own.law(Law::shear)) {
+  PERINOX_INLINE explicit Forces(const Own& own)
+      : radial(own.law(Law::radial)), shear(own.law(Law::shear)), yielded(plastic ? own.law(Law::along) : Vector{}) {
     if (fitted) own.template state<d>(state);
     for (int c = 0; c < d; ++c) u[c] = own.u(c);
   }
@@ -140,7 +141,7 @@ struct Forces {
     const Pair<d> p = pair_of<d, small>(far, u);
     const Vector far_shear = far.law(Law::shear);
     Vector t = (radial + far.law(Law::radial)) * far.length() + (shear + far_shear) * extension<d, small>(p, far);
-    if (plastic) t -= shear * load(far.plastic_near()) + far_shear * load(far.plastic_far());
+    if (plastic) t -= yielded * load(far.plastic_near()) + far.law(Law::along) * load(far.plastic_far());
     if (fitted && far.fitted()) {
       Vector xi_n[8], both[8];
       far.template basis<d>(xi_n);
@@ -211,13 +212,14 @@ struct ProductSums {
 template <int d, bool small, bool plastic, bool fitted>
 struct ProductForces {
   static constexpr bool moved = !small || plastic;
-  Vector u[d], x[d], radial, shear, along, flow = {}, state[8], changed[8], pulled[d] = {};
+  Vector u[d], x[d], radial, shear, along, flow = {}, yielded = {}, state[8], changed[8], pulled[d] = {};
 
   template <class Own>
   PERINOX_INLINE explicit ProductForces(const Own& own)
       : radial(small ? Vector{} : own.law(Law::radial)), shear(own.law(Law::shear)), along(own.law(Law::along)) {
     for (int c = 0; c < d; ++c) u[c] = moved ? own.u(c) : Vector{}, x[c] = own.x(c);
     if (plastic) flow = own.law(Law::flow);
+    if (plastic && !small) yielded = own.x(3);
     if (fitted && !small) own.template state<d>(state);
     if (fitted) own.template change<d>(changed);
   }
@@ -238,7 +240,7 @@ struct ProductForces {
       if (!small) t = (radial + far.law(Law::radial)) * far.length() + both * e;
       if (plastic) {
         const Vector near_plastic = load(far.plastic_near()), far_plastic = load(far.plastic_far());
-        if (!small) t -= shear * near_plastic + far_shear * far_plastic;
+        if (!small) t -= yielded * near_plastic + far.x(3) * far_plastic;
         stiff += flow * (e - near_plastic) + far.law(Law::flow) * (e - far_plastic);
       }
     }
@@ -277,7 +279,7 @@ struct DiagonalBlocks {
   static constexpr bool moved = !small || plastic;
   static constexpr int entries = d * (d + 1) / 2;
   static constexpr int results = fitted ? first_fit_gradient + components<d> * d : entries + d + (plastic ? d : 0);
-  Vector u[d], radial, shear, mean, along, flow, state[8], result[results] = {};
+  Vector u[d], radial, shear, mean, along, flow, yielded, state[8], result[results] = {};
 
   template <class Own>
   PERINOX_INLINE explicit DiagonalBlocks(const Own& own)
@@ -285,7 +287,8 @@ struct DiagonalBlocks {
         shear(own.law(Law::shear)),
         mean(plastic ? own.mean() : Vector{}),
         along(own.law(Law::along)),
-        flow(plastic ? own.law(Law::flow) : Vector{}) {
+        flow(plastic ? own.law(Law::flow) : Vector{}),
+        yielded(plastic && !small ? own.x(3) : Vector{}) {
     for (int c = 0; c < d; ++c) u[c] = moved ? own.u(c) : Vector{};
     if (fitted && !small) own.template state<d>(state);
   }
@@ -297,11 +300,16 @@ struct DiagonalBlocks {
     const Vector far_shear = far.law(Law::shear), both = shear + far_shear;
     const Vector e = moved ? rounded_extension<d, small>(p, far) : Vector{};
     Vector near = e, away = e, t = {};
-    if (plastic) near -= load(far.plastic_near()), away -= load(far.plastic_far());
+    Vector near_plastic = {}, far_plastic = {};
+    if (plastic) {
+      near_plastic = load(far.plastic_near()), far_plastic = load(far.plastic_far());
+      near -= near_plastic, away -= far_plastic;
+    }
     Vector xi_n[8];
     if (fitted && far.fitted()) far.template basis<d>(xi_n);
     if (!small) {
-      t = (radial + far.law(Law::radial)) * far.length() + shear * near + far_shear * away;
+      t = (radial + far.law(Law::radial)) * far.length() + both * e;
+      if (plastic) t -= yielded * near_plastic + far.x(3) * far_plastic;
       if (fitted && far.fitted()) {
         Vector ends[8];
         far.template state<d>(ends);

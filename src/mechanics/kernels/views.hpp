@@ -48,11 +48,11 @@ struct LatticeView {
   double volume = 0;
 
   const double* u[3] = {};       ///< displacement
-  const double* x[3] = {};       ///< what a product is taken with
+  const double* x[4] = {};       ///< what a product is taken with; then, not for small strain, `yielded` of Law
   const double* law[4] = {};     ///< Law below
   const double* mean = nullptr;  ///< theta/d, of the shift or of the state
-  /// Of fitted ends, zero elsewhere: H of the force state, t = omega (shear (e - e_p) + xi N . H), and what a product
-  /// changes it by.
+  /// Of fitted ends, zero elsewhere: H of the force state, t = omega (shear e - yielded e_p + xi N . H), and what a
+  /// product changes it by.
   const double* state[fit_size] = {};
   const double* change[fit_size] = {};
   double* out[most_results] = {};
@@ -71,17 +71,18 @@ struct PairView {
   const std::uint8_t* fitted = nullptr;  ///< [slots] not zero where an end of a pair is fitted
   const double* place = nullptr;  ///< reference position, then volume; for the tangent of finite deformation: position
   const double* u = nullptr;      ///< displacement, then mean
-  const double* x = nullptr;
+  const double* x = nullptr;      ///< what a product is taken with, fourth as above
   const double* law = nullptr;
   const double* state[2] = {};   ///< H as above, components 0-3 and 4-7
   const double* change[2] = {};  ///< the same
   double* out[8] = {};           ///< results 0-3, 4-7 and so on
 };
 
-/// Point values of the law, t = omega (radial xi + shear (e - e_p)).
+/// Point values of the law, t = omega (radial xi + shear e - yielded e_p); `yielded` is `shear` without kinematic
+/// hardening.
 enum Law {
   shear = 0,
-  along = 1,  ///< product: c1 Theta - mean c2 Q; diagonal blocks: c1
+  along = 1,  ///< forces: `yielded`; product: c1 Theta - mean c2 Q; diagonal blocks: c1
   flow = 2,   ///< product: c2 Q; diagonal blocks: c2; advance: share of the elastic part that flows
   radial = 3  ///< not read by the tangent of small strain, which has no geometric term
 };
