@@ -10,10 +10,10 @@
 namespace perinox::test {
 
 struct Particle {
-  deck::Point x{};                       ///< reference position
-  double volume = 0;                     ///< in 2-D: area
-  std::array<double, 3> u{};             ///< displacement
-  std::array<double, 3> pull{};          ///< what a support does to it: minus the internal force
+  deck::Point x{};               ///< reference position
+  double volume = 0;             ///< in 2-D: area
+  std::array<double, 3> u{};     ///< displacement
+  std::array<double, 3> pull{};  ///< what a support does to it: minus the internal force
   double dilatation = 0;
   double energy = 0;                     ///< stored energy a volume
   double equivalent_plastic_strain = 0;  ///< 0 where the material has none
@@ -31,16 +31,22 @@ struct Solution {
   std::string stopped;  ///< the reason, if it stopped short
 };
 
-/// Runs a deck on one rank; a run that stops short keeps its last committed step.
-inline Solution solve(const std::string& yaml) {
+using Enough = std::function<bool(const Step&)>;
+
+/// Runs a deck on one rank; a run that stops short keeps its last committed step. One that may stop earlier does so
+/// after the first step that is `enough`.
+inline Solution solve(const std::string& yaml, const Enough& enough = nullptr) {
   class Watch : public solve::Observer {
    public:
+    explicit Watch(Enough stop) : enough(std::move(stop)) {}
     void step_committed(const solve::StepRecord& record) override {
       steps.push_back({record.t, record.stored_energy, record.dissipated_energy, record.external_work, record.history});
       values.clear();
       for (const solve::Field& field : record.fields)
         if (field.components == 1) values[field.name].assign(field.values, field.values + owned);
+      if (enough && enough(steps.back())) throw RunError("enough");
     }
+    Enough enough;
     std::vector<Step> steps;
     std::map<std::string, std::vector<double>> values;
     std::size_t owned = 0;
@@ -48,7 +54,7 @@ inline Solution solve(const std::string& yaml) {
   const deck::Deck deck = testing::deck_of(yaml);
   const mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
   solve::LoadStepper stepper(deck, scene);
-  Watch watch;
+  Watch watch(enough);
   watch.owned = static_cast<std::size_t>(scene.owned());
   Solution solution;
   try {
