@@ -15,6 +15,7 @@ struct Particle {
   std::array<double, 3> u{};     ///< displacement
   std::array<double, 3> pull{};  ///< what a support does to it: minus the internal force
   double dilatation = 0;
+  double stress_xx = 0;                  ///< 0 unless the deck has output.fields: [stress]
   double energy = 0;                     ///< stored energy a volume
   double equivalent_plastic_strain = 0;  ///< 0 where the material has none
 };
@@ -43,7 +44,10 @@ inline Solution solve(const std::string& yaml, const Enough& enough = nullptr) {
       steps.push_back({record.t, record.stored_energy, record.dissipated_energy, record.external_work, record.history});
       values.clear();
       for (const solve::Field& field : record.fields)
-        if (field.components == 1) values[field.name].assign(field.values, field.values + owned);
+        if (field.components == 1)
+          values[field.name].assign(field.values, field.values + owned);
+        else if (field.name == "stress")
+          for (std::size_t i = 0; i < owned; ++i) values[field.name].push_back(field.values[6 * i]);
       if (enough && enough(steps.back())) throw RunError("enough");
     }
     Enough enough;
@@ -78,6 +82,7 @@ inline Solution solve(const std::string& yaml, const Enough& enough = nullptr) {
       return found == watch.values.end() ? 0 : found->second[i];
     };
     particle.dilatation = value("dilatation");
+    particle.stress_xx = value("stress");
     particle.energy = value("stored_energy");
     particle.equivalent_plastic_strain = value("equivalent_plastic_strain");
   }

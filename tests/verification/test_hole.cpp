@@ -26,10 +26,12 @@ std::array<double, 3> kirsch(const deck::Point& x) {
 struct Tables {
   Verification field{"hole", "plate with a hole: displacement", "Kirsch 1898"};
   Verification rim{"hole", "plate with a hole: opening of the hole", "Kirsch 1898"};
+  Verification edge{"hole", "stress beside the hole, first particle", "Kirsch 1898"};
+  Verification inside{"hole", "stress beside the hole, fourth particle", "Kirsch 1898"};
 };
 
 struct Found {
-  double field = 0, opening = 0;
+  double field = 0, opening = 0, edge = 0, inside = 0;
 };
 
 /// A square of eight radii, n spacings a radius. opening: the stretch between the particles that touch the hole at its
@@ -59,6 +61,7 @@ boundary:
   - set: rim
     displacement: {{x: "{5}", y: "{6}"}}
 steps: {{end: 1, count: 1}}
+output: {{fields: [displacement, stress]}}
 solver: {{newton: {{tolerance: 1e-10}}}}
 )yaml",
       h, quadrature, young, poisson, rim, component(k + 1, 1 + k, "cos"), component(k - 3, 1 - k, "sin")));
@@ -74,6 +77,19 @@ solver: {{newton: {{tolerance: 1e-10}}}}
           solution, [&](auto& x) { return std::max(std::abs(x[0]), std::abs(x[1])) < rim; }, kirsch),
       n);
   found.opening = tables.rim.converging(quadrature, resolution, solution.particles.size(), opening / exact - 1, n);
+  // Where it is largest, tension (1 + 1/(2 r^2) + 3/(2 r^4)): the particles next to the y axis, `layer` from the hole.
+  const auto stress_error = [&](int layer) {
+    double sum = 0, kirsch_sum = 0;
+    for (const Particle& p : solution.particles) {
+      const double y = std::abs(p.x[1]), r2 = y * y;
+      if (std::abs(p.x[0]) > h || y < 1 + layer * h || y > 1 + (layer + 1) * h) continue;
+      sum += p.stress_xx;
+      kirsch_sum += tension * (1 + 1 / (2 * r2) + 3 / (2 * r2 * r2));
+    }
+    return sum / kirsch_sum - 1;
+  };
+  found.edge = tables.edge.converging(quadrature, resolution, solution.particles.size(), stress_error(0), n);
+  found.inside = tables.inside.converging(quadrature, resolution, solution.particles.size(), stress_error(3), n);
   return found;
 }
 
@@ -83,6 +99,8 @@ TEST(Hole, InAPlateUnderTension) {
     const Found found = errors(tables, "position-aware", n);
     EXPECT_LE(found.field, 0.1 / n);               // 0.076, 0.054, 0.044 over n
     EXPECT_LE(std::abs(found.opening), 0.12 / n);  // 0.098, 0.064, 0.050 over n
+    EXPECT_LE(std::abs(found.edge), 0.17);         // 0.163, 0.112, 0.123: the outermost layer does not converge
+    EXPECT_LE(std::abs(found.inside), 0.1);
   }
   for (const int n : resolutions({8, 16, 32}, {64})) errors(tables, "whole", n);
 }
