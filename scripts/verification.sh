@@ -10,6 +10,8 @@ folder=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$folder/setup.sh"
 
 extent=full
+failed=''
+load=$(cut -d ' ' -f 1 /proc/loadavg) # before the build, which is a load itself
 tables_only=''
 case "${1:-}" in
   --quick) extent=quick ;;
@@ -25,12 +27,12 @@ rows=$measured/rows.csv
 about() {
   local changed=''
   git -C "$source_dir" diff --quiet HEAD -- . ':!docs' 2>/dev/null || changed=' and changes'
-  printf 'Measured on %s%s with %s%s, `%s`, one rank: %s, %s cores, %s.\n' "$(date -u +%Y-%m-%d)" \
+  printf 'Measured on %s%s with %s%s, `%s`, one rank: %s, %s cores, %s; load of the machine before: %s.\n' "$(date -u +%Y-%m-%d)" \
     "$([ "$extent" = quick ] && echo ', in the quick form,')" \
     "$(git -C "$source_dir" rev-parse --short HEAD 2>/dev/null || echo 'an unknown state')" "$changed" \
     "$(awk -F = '/^CMAKE_BUILD_TYPE/ {print $2}' "$build_dir/CMakeCache.txt")" \
     "$(awk -F ': *' '/^model name/ {print $2; exit}' /proc/cpuinfo)" "$(env -u OMP_NUM_THREADS nproc)" \
-    "$(awk '/^MemTotal/ {printf "%.0f GB", $2 / 1e6}' /proc/meminfo)"
+    "$(awk '/^MemTotal/ {printf "%.0f GB", $2 / 1e6}' /proc/meminfo)" "$load"
 }
 
 if [ -z "$tables_only" ]; then
@@ -39,8 +41,8 @@ if [ -z "$tables_only" ]; then
   mpi_environment
   mkdir -p "$measured"
   rm -f "$rows"
-  PERINOX_VERIFICATION=$extent PERINOX_VERIFICATION_ROWS=$rows "$build_dir/test_verification"
   about >"$measured/about.md"
+  PERINOX_VERIFICATION=$extent PERINOX_VERIFICATION_ROWS=$rows "$build_dir/test_verification" || failed=yes
 elif [ ! -f "$measured/about.md" ]; then
   stop "nothing was measured yet: there is no $measured/about.md"
 fi
@@ -63,6 +65,7 @@ awk -F ';' -v rows="$rows" -v about="$measured/about.md" '
   }
   function percent(value) {
     return value < 1e-9 && value > -1e-9 ? sprintf("%.0e", value) : \
+      value < 0.001 && value > -0.001 ? sprintf("%.3f %%", 100 * value) : \
       value < 0.01 && value > -0.01 ? sprintf("%.2f %%", 100 * value) : sprintf("%.1f %%", 100 * value)
   }
   BEGIN {
@@ -98,3 +101,4 @@ awk -F ';' -v rows="$rows" -v about="$measured/about.md" '
   END {exit failed}' "$page" >"$measured/page.md" || stop "the page was not written"
 cp "$measured/page.md" "$page"
 say "tables in $page"
+[ -z "$failed" ] || stop "some tests failed, see above"
