@@ -177,7 +177,7 @@ TEST(Sphere, LimitPressure) {
   Verification table("sphere", "limit pressure", "Hill 1950: 2 yield ln(b/a)");
   for (const int across : resolutions({25}, {33, 49, 65}))
     EXPECT_LE(std::abs(limit_error(table, "position-aware", across)),
-              0.07);  // 0.026, 0.067, 0.057: over the goal of 1 %
+              0.07);  // 0.026, 0.067, 0.057, 0.043: over the goal of 2 %
   for (const int across : resolutions({}, {33})) limit_error(table, "whole", across);  // at 25 no knee below 1.16
 }
 
