@@ -124,6 +124,11 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   report.summary += fmt::format("  {} directed bonds, {} to {} a family (mean {:.1f})", t.bonds, t.smallest, t.largest,
                                 bonds / particles);
   report.summary += t.cut > 0 ? fmt::format(", {} cut by pre-cracks\n", t.cut) : "\n";
+  if (const long long deficient = ranks.sum(scene.families().deficient); deficient > 0)
+    report.summary += fmt::format(
+        "  {} particles have families that cannot tell all strains apart (a layer one particle thick, few bonds): they "
+        "keep the plain formulas, which are wrong there\n",
+        deficient);
   if (ranks.size() > 1)
     report.summary +=
         fmt::format("  {} ranks: particles {}, ghosts {}, imbalance {:.3f} in bonds, {:.3f} in particles\n",

@@ -105,7 +105,9 @@ class Fits {
           sums[static_cast<std::size_t>(p * n + q)] += moment(bond) * direction[p] * direction[q];
     }
     Moment made;
-    if (!make_moment(d, sums, made)) return;
+    const FamilyKind kind = make_moment(d, sums, made);
+    if (kind == FamilyKind::deficient) ++families_.deficient;
+    if (kind != FamilyKind::irregular) return;
     families_.fit[i] = static_cast<std::int32_t>(families_.moments.size());
     families_.moments.push_back(made);
   }

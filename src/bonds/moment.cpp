@@ -24,7 +24,7 @@ double Moment::weighted_volume() const {
   return m;
 }
 
-bool make_moment(int dimension, const std::array<double, 36>& sums, Moment& moment) {
+FamilyKind make_moment(int dimension, const std::array<double, 36>& sums, Moment& moment) {
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 6, 6>;
   using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
   const int n = mandel_size(dimension);
@@ -34,14 +34,14 @@ bool make_moment(int dimension, const std::array<double, 36>& sums, Moment& mome
   const Column second = all * one;
   const double m = one.dot(second);
   const Square even = m / (dimension * (dimension + 2)) * (one * one.transpose() + 2 * Square::Identity(n, n));
-  if (!((all - even).norm() > isotropic * m)) return false;
+  if (!((all - even).norm() > isotropic * m)) return FamilyKind::isotropic;
   const Eigen::SelfAdjointEigenSolver<Square> values(all);
-  if (!(values.eigenvalues()[0] > singular * values.eigenvalues()[n - 1])) return false;
+  if (!(values.eigenvalues()[0] > singular * values.eigenvalues()[n - 1])) return FamilyKind::deficient;
   moment.dimension = dimension;
   Eigen::Map<Square>(moment.inverse.data(), n, n) =
       values.eigenvectors() * values.eigenvalues().cwiseInverse().asDiagonal() * values.eigenvectors().transpose();
   Eigen::Map<Column>(moment.second.data(), n) = second;
-  return true;
+  return FamilyKind::irregular;
 }
 
 }  // namespace perinox::bonds

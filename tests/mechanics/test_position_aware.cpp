@@ -38,6 +38,11 @@ std::vector<Shape> shapes() {
   crack.form = deck::CrackRectangle{{-1, -1, 1}, {2, 0, 0}, {0, 9, 0}};
   all.back().deck.cracks.push_back(crack);
   all.push_back({"cloud", cloud_deck(jittered(8), 3.015)});
+  for (const auto influence : {deck::Influence::inverse, deck::Influence::polynomial}) {
+    all.push_back({influence == deck::Influence::inverse ? "inverse" : "polynomial",
+                   lattice_deck(deck::Dimension::three, {8, 7, 6}, 0.25, 3.015)});
+    all.back().deck.influence = influence;
+  }
   for (Shape& shape : all) {
     shape.deck.quadrature = deck::Quadrature::position_aware;
     shape.deck.small_strain = true;  // an extension linear in the strain: exact to rounding
@@ -94,6 +99,15 @@ TEST(PositionAware, UniformStrainIsExactEverywhere) {
     }
     if (shape.name == "cloud") remove_cloud(shape.deck);
   }
+}
+
+TEST(PositionAware, CountsFamiliesThatCannotTellStrainsApart) {
+  deck::Deck deck = lattice_deck(deck::Dimension::three, {8, 8, 1}, 0.25, 3.015);
+  deck.quadrature = deck::Quadrature::position_aware;
+  const mechanics::Scene plate =
+      make_scene(deck, materials_of(std::make_unique<materials::Elastic>(bulk, shear, true)));
+  EXPECT_EQ(plate.families().deficient, 64);
+  EXPECT_TRUE(plate.families().moments.empty());
 }
 
 TEST(PositionAware, PlainFormulasInside) {

@@ -24,6 +24,7 @@ struct Families {
   long long cut = 0;                     ///< directed bonds cut by pre-cracks on this rank
   std::vector<std::int32_t> fit;         ///< [owned] index into moments, -1: plain formulas; empty: nowhere a fit
   std::vector<Moment> moments;           ///< of the owned particles whose strain is fitted
+  long long deficient = 0;               ///< owned particles whose strain would be fitted if their families allowed it
 
   const Moment* moment(LocalIndex i) const {
     return fit.empty() || fit[i] < 0 ? nullptr : &moments[static_cast<std::size_t>(fit[i])];

@@ -22,8 +22,13 @@ struct Moment {
   double weighted_volume() const;  ///< m, the trace of `second`
 };
 
-/// M of sums over one family, row-major. False if there is nothing to correct (M differs from the isotropic one by at
-/// most 1e-10 m) or the family does not tell all strains apart: a plate one particle thick, a few bonds.
-bool make_moment(int dimension, const std::array<double, 36>& sums, Moment& moment);
+/// What a family is like.
+enum class FamilyKind {
+  isotropic,  ///< M differs from the isotropic one by at most 1e-10 m: nothing to correct
+  irregular,  ///< the strain is to be fitted
+  deficient   ///< does not tell all strains apart: a plate one particle thick, a few bonds
+};
+/// M of sums over one family, row-major. Fills `moment` of an irregular family only.
+FamilyKind make_moment(int dimension, const std::array<double, 36>& sums, Moment& moment);
 
 }  // namespace perinox::bonds
