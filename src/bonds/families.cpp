@@ -85,15 +85,19 @@ class Rule {
 /// Its contribution to the weighted volume; a bond without one carries nothing and is left out.
 double moment(const FoundBond& bond) { return bond.influence * bond.length * bond.length * bond.weight; }
 
-/// Fourth moments of the families, for those that need a fit.
+/// Fourth moments of the families, for those that need a fit or a factor.
 class Fits {
  public:
   Fits(const deck::Deck& deck, const body::Body& body, Families& families)
-      : wanted_(deck.quadrature == deck::Quadrature::position_aware), body_(body), families_(families) {
+      : wanted_(deck.quadrature == deck::Quadrature::position_aware),
+        scaled_(deck.quadrature == deck::Quadrature::surface_energy),
+        body_(body),
+        families_(families) {
     if (wanted_) families.fit.assign(static_cast<std::size_t>(body.owned), -1);
+    if (scaled_) families.deviatoric_volume.resize(static_cast<std::size_t>(body.owned));
   }
   void add(LocalIndex i, const std::vector<FoundBond>& family) {
-    if (!wanted_) return;
+    if (!wanted_ && !scaled_) return;
     const int d = body_.dimension, n = mandel_size(d);
     std::array<double, 36> sums{};
     for (const FoundBond& bond : family) {
@@ -103,6 +107,10 @@ class Fits {
       for (int p = 0; p < n; ++p)
         for (int q = 0; q < n; ++q)
           sums[static_cast<std::size_t>(p * n + q)] += moment(bond) * direction[p] * direction[q];
+    }
+    if (scaled_) {
+      families_.deviatoric_volume[i] = deviatoric_volume(d, sums);
+      return;
     }
     Moment made;
     const FamilyKind kind = make_moment(d, sums, made);
@@ -117,7 +125,7 @@ class Fits {
   }
 
  private:
-  bool wanted_;
+  bool wanted_, scaled_;
   const body::Body& body_;
   Families& families_;
 };

@@ -1,6 +1,7 @@
 #include "perinox/bonds/moment.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 namespace perinox::bonds {
@@ -9,6 +10,8 @@ namespace {
 /// Below this ratio of M's eigenvalues a family does not tell all strains apart.
 constexpr double singular = 1e-6;
 constexpr double isotropic = 1e-10;
+/// Of m: a few bonds in one direction have no energy left once the dilatation is taken off.
+constexpr double least_share = 0.1;
 }  // namespace
 
 Mandel mandel(int dimension, const double* n, double scale) {
@@ -22,6 +25,20 @@ double Moment::weighted_volume() const {
   double m = 0;
   for (int c = 0; c < dimension; ++c) m += second[static_cast<std::size_t>(c)];
   return m;
+}
+
+double deviatoric_volume(int dimension, const std::array<double, 36>& sums) {
+  const int n = mandel_size(dimension), d = dimension;
+  double m = 0, square = 0;  // of M I: its trace, and the square of its size
+  for (int p = 0; p < n; ++p) {
+    double entry = 0;
+    for (int c = 0; c < d; ++c) entry += sums[static_cast<std::size_t>(p * n + c)];
+    if (p < d) m += entry;
+    square += entry * entry;
+  }
+  // The mean over unit deviators of eps M eps - (I M eps)^2/m; trace of M is m.
+  const double mean = (m * (d - 1) / d - (square - m * m / d) / m) / (n - 1);
+  return std::max(d * (d + 2) * mean / 2, least_share * m);
 }
 
 FamilyKind make_moment(int dimension, const std::array<double, 36>& sums, Moment& moment) {

@@ -42,7 +42,9 @@ double continuum_weighted_volume(deck::Influence influence, double horizon, int 
 
 double volume_share(deck::Quadrature quadrature, double length, double horizon, double spacing) {
   const bool within = length <= horizon * (1 + kTie);
-  if (quadrature == deck::Quadrature::whole || quadrature == deck::Quadrature::position_aware) return within ? 1 : 0;
+  if (quadrature == deck::Quadrature::whole || quadrature == deck::Quadrature::position_aware ||
+      quadrature == deck::Quadrature::surface_energy)
+    return within ? 1 : 0;
   const double share = std::clamp(0.5 + (horizon - length) / spacing, 0.0, 1.0);
   if (quadrature == deck::Quadrature::taper_inside) return within ? share : 0;
   return share > kSliver ? share : 0;

@@ -100,7 +100,9 @@ Key declare_deck(const std::vector<ModelDeclaration>& models) {
                             "How much of a neighbour's volume counts near the horizon: all of it, the part inside the "
                             "horizon (linear taper, neighbours just outside included), or that taper without the "
                             "neighbours outside, as LAMMPS has it. position-aware: all of it, with weights and a fit "
-                            "of the strain that make uniform strain exact at every point, surfaces included.");
+                            "of the strain that make uniform strain exact at every point, surfaces included. "
+                            "surface-energy: all of it, with the shear stiffness of each point scaled so that its "
+                            "energy is right on average over all shears, for comparison.");
   quadrature.example = "quadrature: partial-volume";
   Key bond_bodies = boolean_key("bond_bodies", true, "Particles of different bodies form bonds.");
   bond_bodies.example = "bond_bodies: false";

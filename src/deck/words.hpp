@@ -10,7 +10,8 @@ namespace perinox::deck::words {
 inline const std::vector<std::string> dimension{"3", "plane-strain", "plane-stress"};
 inline const std::vector<std::string> influence{"constant", "inverse", "polynomial"};
 inline const std::vector<std::string> deformation{"finite", "small"};
-inline const std::vector<std::string> quadrature{"whole", "partial-volume", "taper-inside", "position-aware"};
+inline const std::vector<std::string> quadrature{"whole", "partial-volume", "taper-inside", "position-aware",
+                                                 "surface-energy"};
 inline const std::vector<std::string> tangent_kind{"auto", "matrix-free", "assembled"};
 inline const std::vector<std::string> tangent_form{"consistent", "printed"};
 inline const std::vector<std::string> line_search{"backtrack", "full-step"};

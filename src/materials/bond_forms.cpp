@@ -12,6 +12,7 @@ FamilySums sums_of(const Family& family, const double* extension, const double* 
   FamilySums sums;
   sums.dimension = family.dimension;
   sums.weighted_volume = family.weighted_volume;
+  sums.corrected_volume = family.deviatoric_volume;
   sums.continuum_weighted_volume = family.continuum_weighted_volume;
   for (int j = 0; j < family.count; ++j) {
     const double radial = family.influence[j] * family.length[j] * family.weight[j];

@@ -10,7 +10,7 @@ Elastic::Elastic(double bulk, double shear, bool with_dilatation, deck::Dimensio
 PointState Elastic::state(const FamilySums& sums, const double*, double*) const {
   const double d = sums.dimension;
   const double m = sums.weighted_volume;
-  const double alpha = d * (d + 2) * shear_ / m;
+  const double alpha = d * (d + 2) * shear_ / sums.deviatoric_volume();
   PointState point;
   const double theta = with_dilatation_ ? d / m * sums.extension : 0;
   point.mean = theta / d;
@@ -30,7 +30,7 @@ PointModulus Elastic::modulus(const FamilySums& sums, const double*, deck::Tange
   const double d = sums.dimension;
   const double m = sums.weighted_volume;
   PointModulus point;
-  point.shear = d * (d + 2) * shear_ / m;
+  point.shear = d * (d + 2) * shear_ / sums.deviatoric_volume();
   if (!with_dilatation_) return point;
   point.mean = sums.extension / m;
   point.bulk = bulk_;

@@ -30,12 +30,13 @@ ElasticPlastic::Return ElasticPlastic::radial_return(const FamilySums& sums, con
   const double d = sums.dimension;
   const double m = sums.weighted_volume;
   Return r;
-  r.alpha = d * (d + 2) * parameters_.shear / m;
+  r.alpha = d * (d + 2) * parameters_.shear / sums.deviatoric_volume();
   if (parameters_.with_dilatation) r.dilatation = d / m * sums.extension;
   r.strain_square = sums.square_about(r.dilatation / d);
   r.trial_norm = r.alpha * std::sqrt(r.strain_square);
   // psi0 = d(d+2) tau^2/(2m), beta = sqrt(2 psi0) = c tau; with the continuum m and omega = 1 this is Eq. 51.
-  r.yield_scale = std::sqrt(d * (d + 2) / (parameters_.continuum_yield ? sums.continuum_weighted_volume : m));
+  r.yield_scale = std::sqrt(d * (d + 2) /
+                            (parameters_.continuum_yield ? sums.continuum_weighted_volume : sums.deviatoric_volume()));
   const double plastic_shear = root3 * committed[equivalent_strain];
   r.beta = r.yield_scale * curve_.stress(plastic_shear);
   if (r.trial_norm <= r.beta * (1 + kink)) return r;
@@ -79,9 +80,7 @@ PointState ElasticPlastic::state(const FamilySums& sums, const double* committed
   return point;
 }
 
-double ElasticPlastic::plastic_work(const double* point) const {
-  return curve_.work(root3 * point[equivalent_strain]);
-}
+double ElasticPlastic::plastic_work(const double* point) const { return curve_.work(root3 * point[equivalent_strain]); }
 
 PointModulus ElasticPlastic::modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const {
   const double d = sums.dimension;

@@ -30,7 +30,7 @@ HistoryLayout PlanePlastic::history() const {
 PlanePlastic::Return PlanePlastic::return_to_yield(const FamilySums& sums, const double* committed) const {
   const double mu = parameters_.shear, m = sums.weighted_volume;
   Return r;
-  r.alpha = 8 * mu / m;
+  r.alpha = 8 * mu / sums.deviatoric_volume();
   r.dilatation = 2 / m * sums.extension;
   r.energy = r.alpha * sums.square_about(r.dilatation / 2);
   const double z = committed[strain_zz];

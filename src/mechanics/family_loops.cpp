@@ -18,6 +18,7 @@ materials::FamilySums family_sums(const Scene& scene, const Committed& committed
   sums.total = strains.total.empty() ? sums.square : strains.total[i];
   sums.shift = committed.mean()[i];
   sums.weighted_volume = scene.families().weighted_volume[i];
+  if (!scene.families().deviatoric_volume.empty()) sums.corrected_volume = scene.families().deviatoric_volume[i];
   sums.continuum_weighted_volume = scene.families().continuum_weighted_volume;
   sums.dimension = scene.dimension();
   if (const bonds::Moment* moment = scene.families().moment(i)) {

@@ -15,7 +15,7 @@ namespace {
 /// and 0.65 half does best in the preconditioner).
 double left_of_shear(const materials::FamilySums& sums, const materials::PointModulus& modulus, double elastic_shear) {
   if (modulus.shear <= 0) return 0;
-  const double d = sums.dimension, elastic = d * (d + 2) * elastic_shear / sums.weighted_volume;
+  const double d = sums.dimension, elastic = d * (d + 2) * elastic_shear / sums.deviatoric_volume();
   const double lost = -modulus.flow * sums.square_about(modulus.mean) / modulus.shear;
   return std::min(1.0, modulus.shear / elastic * (1 - std::clamp(lost, 0.0, 1.0) / 2));
 }

@@ -169,6 +169,7 @@ materials::Family Scene::family(LocalIndex i) const {
   family.influence = all.influence.data() + first;
   family.weight = all.weight.data() + first;
   family.weighted_volume = all.weighted_volume[i];
+  if (!all.deviatoric_volume.empty()) family.deviatoric_volume = all.deviatoric_volume[i];
   family.continuum_weighted_volume = all.continuum_weighted_volume;
   family.moment = families_.moment(i);
   if (family.moment) family.basis = basis().data() + first * bonds::mandel_size(dimension());

@@ -105,8 +105,8 @@ const Mistake mistakes_in_decks[] = {
     {"key_of_another_model", &base_deck, "model: elastic-plastic", "model: elastic",
      "deck.yaml:16:5: yield_stress is not a key of a material of the model elastic; it is one of elastic-plastic"},
     {"unknown_quadrature", &base_deck, "quadrature: whole", "quadrature: gauss",
-     "deck.yaml:10:13: quadrature cannot be 'gauss'; it can be whole, partial-volume, taper-inside or "
-     "position-aware"},
+     "deck.yaml:10:13: quadrature cannot be 'gauss'; it can be whole, partial-volume, taper-inside, "
+     "position-aware or surface-energy"},
     {"unknown_field", &base_deck, "[displacement, force]", "[displacement, heat]",
      "deck.yaml:28:43: an entry of fields cannot be 'heat'; it can be displacement, force, dilatation, damage, "
      "stored_energy, weighted_volume, stress, strain, von_mises_stress, plastic_work, plastic_multiplier, "

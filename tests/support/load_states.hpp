@@ -82,6 +82,8 @@ inline const char* name_of(deck::Quadrature quadrature) {
       return "taper";
     case deck::Quadrature::position_aware:
       return "aware";
+    case deck::Quadrature::surface_energy:
+      return "surface";
   }
   return "";
 }

@@ -16,15 +16,16 @@ namespace perinox::bonds {
 struct Families {
   double horizon = 0;
   deck::Influence influence = deck::Influence::constant;
-  std::vector<int> size;                 ///< [owned] bonds of each family
-  std::vector<double> weighted_volume;   ///< [owned] m = sum omega xi^2 weight (8), after pre-cracks
-  std::vector<double> damage;            ///< [owned] share of the uncut family's omega xi^2 weight that pre-cracks cut
-  double continuum_weighted_volume = 0;  ///< m of a full continuous neighbourhood with this influence function
-  long long directed = 0;                ///< directed bonds on this rank
-  long long cut = 0;                     ///< directed bonds cut by pre-cracks on this rank
-  std::vector<std::int32_t> fit;         ///< [owned] index into moments, -1: plain formulas; empty: nowhere a fit
-  std::vector<Moment> moments;           ///< of the owned particles whose strain is fitted
-  long long deficient = 0;               ///< owned particles whose strain would be fitted if their families allowed it
+  std::vector<int> size;                  ///< [owned] bonds of each family
+  std::vector<double> weighted_volume;    ///< [owned] m = sum omega xi^2 weight (8), after pre-cracks
+  std::vector<double> deviatoric_volume;  ///< [owned] in place of m in the shear stiffness; empty: m
+  std::vector<double> damage;             ///< [owned] share of the uncut family's omega xi^2 weight that pre-cracks cut
+  double continuum_weighted_volume = 0;   ///< m of a full continuous neighbourhood with this influence function
+  long long directed = 0;                 ///< directed bonds on this rank
+  long long cut = 0;                      ///< directed bonds cut by pre-cracks on this rank
+  std::vector<std::int32_t> fit;          ///< [owned] index into moments, -1: plain formulas; empty: nowhere a fit
+  std::vector<Moment> moments;            ///< of the owned particles whose strain is fitted
+  long long deficient = 0;                ///< owned particles whose strain would be fitted if their families allowed it
 
   const Moment* moment(LocalIndex i) const {
     return fit.empty() || fit[i] < 0 ? nullptr : &moments[static_cast<std::size_t>(fit[i])];

@@ -22,6 +22,11 @@ struct Moment {
   double weighted_volume() const;  ///< m, the trace of `second`
 };
 
+/// In place of m in alpha: makes the energy alpha/2 sum w (e - theta xi/d)^2 of a uniform strain right on average over
+/// all deviatoric strains of one size. sums: M as below. Length^2 volume; m where M I is isotropic; never less than a
+/// tenth of m.
+double deviatoric_volume(int dimension, const std::array<double, 36>& sums);
+
 /// What a family is like.
 enum class FamilyKind {
   isotropic,  ///< M differs from the isotropic one by at most 1e-10 m: nothing to correct

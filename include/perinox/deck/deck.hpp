@@ -73,7 +73,7 @@ struct Horizon {
   std::optional<double> length;
 };
 enum class Influence { constant, inverse, polynomial };
-enum class Quadrature { whole, partial_volume, taper_inside, position_aware };
+enum class Quadrature { whole, partial_volume, taper_inside, position_aware, surface_energy };
 
 /// Parallelogram corner + a*edge1 + b*edge2, 0 <= a, b <= 1.
 struct CrackRectangle {

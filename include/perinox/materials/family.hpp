@@ -15,6 +15,7 @@ struct Family {
   const double* influence = nullptr;     ///< omega(xi)
   const double* weight = nullptr;        ///< neighbour's volume times its quadrature share, volume
   double weighted_volume = 0;            ///< m = sum omega xi^2 weight (Eq. 8)
+  double deviatoric_volume = 0;          ///< in place of m in alpha and the yield value; 0: m
   double continuum_weighted_volume = 0;  ///< m of a full continuous neighbourhood
   /// Of a point whose strain is fitted; null: the plain formulas.
   const bonds::Moment* moment = nullptr;
@@ -29,10 +30,13 @@ struct FamilySums {
   double total = 0;      ///< sum omega (e - shift xi)^2 weight; only for a material with a back stress
   double shift = 0;      ///< any number near theta/d: the nearer, the less cancels
   double weighted_volume = 0;
+  double corrected_volume = 0;  ///< see deviatoric_volume()
   double continuum_weighted_volume = 0;
   int dimension = 3;
   bool fitted = false;  ///< extension is m theta/d, square and total what StrainFit has, which needs no mean
 
+  /// What stands for m in alpha = d(d+2) mu/m and in the yield value: m, unless a surface correction says otherwise.
+  double deviatoric_volume() const { return corrected_volume > 0 ? corrected_volume : weighted_volume; }
   /// sum omega (e - e_p - mean xi)^2 weight, or what stands for it where the strain is fitted.
   double square_about(double mean) const { return moved(square, extension - plastic, mean); }
   /// The same of e alone, sum omega (e - mean xi)^2 weight.
