@@ -58,6 +58,16 @@ TEST(ExposedFaces, ThinPlatesShareTheLoadByWhatTheyHave) {
   for (const FaceShare& face : faces_of(one, build_body(one))) EXPECT_TRUE(face.axis == 0 || face.area == 1);
 }
 
+TEST(ExposedFaces, ACloudHasNoneThatAreKnown) {
+  const TextFile file("three.csv", "x,y,z,volume\n0,0,0,1\n1,0,0,1\n2,0,0,1\n");
+  const deck::Deck deck = deck_of(deck::CloudFile{file.path()}, deck::Dimension::three, 0);
+  const Body body = build_body(deck);
+  EXPECT_EQ(
+      refusal([&] { faces_of(deck, body); }),
+      "deck.yaml:3:5: the set holds particles of the point cloud block, whose surface is not known; use force, or "
+      "give the body a shape and a spacing");
+}
+
 TEST(ExposedFaces, OnlyAtTheSurface) {
   const deck::Deck deck = box(5, 5, 5, 1);
   const Body body = build_body(deck);

@@ -70,6 +70,12 @@ TEST(Ranks, PlasticPlateInPlaneStrain) {
   compare(deck, "yielding plate");
 }
 
+TEST(Ranks, RingUnderPressure) {
+  deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/pressurised_ring.yaml", app::full_schema());
+  deck.steps.count = 3;
+  compare(deck, "ring under pressure");
+}
+
 TEST(Ranks, MoreRanksThanParticles) {
   const char* three = R"(
 dimension: 3
