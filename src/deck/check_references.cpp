@@ -81,6 +81,12 @@ void check_references(const Deck& deck) {
   for (const Value& load : all.at("boundary").items()) {
     refuse_unknown_name(load.at("set"), regions, "a set or body", remedy);
   }
+  for (const Value& initial : all.at("initial_velocity").items())
+    refuse_unknown_name(initial.at("set"), regions, "a set or body", remedy);
+  for (const Value& set : all.at("fracture").at("unbreakable").items())
+    refuse_unknown_name(set, regions, "a set or body", remedy);
+  if (all.at("arc_length").has("until"))
+    refuse_unknown_name(all.at("arc_length").at("until").at("set"), regions, "a set or body", remedy);
   for (const Value& entry : all.at("history").items()) {
     for (const char* kind : {"reaction", "displacement", "yielded"}) {
       if (entry.has(kind)) refuse_unknown_name(entry.at(kind), regions, "a set or body", remedy);

@@ -104,12 +104,20 @@ Load convert_load(const Value& value, Dimension dimension) {
   return load;
 }
 
+Material convert_material(const std::string& name, const Value& value) {
+  Material material{value.location(), name, value.at("model").text(), value, {}, {}};
+  if (value.has("density")) material.density = value.at("density").number();
+  if (value.has("damage")) material.damage = convert_damage(value.at("damage"));
+  return material;
+}
+
 Steps convert_steps(const Value& value) {
   Steps steps;
   steps.end = value.at("end").number();
   steps.count = static_cast<int>(value.at("count").integer());
   steps.adaptive = value.at("adaptive").boolean();
   steps.max_cuts = static_cast<int>(value.at("max_cuts").integer());
+  steps.control = words::value_of<Control>(words::control, value.at("control").text());
   return steps;
 }
 
@@ -172,6 +180,16 @@ HistoryEntry convert_history(const Value& value, Dimension dimension) {
 
 }  // namespace
 
+bool Deck::breaks() const {
+  return std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.damage.has_value(); });
+}
+
+bool Deck::may_move() const {
+  if (dynamics == Dynamics::explicit_ || fallback == Fallback::explicit_) return true;
+  return fallback == Fallback::automatic && breaks() &&
+         std::all_of(materials.begin(), materials.end(), [](const Material& m) { return m.density.has_value(); });
+}
+
 int unknowns(Dimension dimension) { return dimension == Dimension::three ? 3 : 2; }
 
 Deck convert(Value checked, const std::string& file) {
@@ -186,14 +204,21 @@ Deck convert(Value checked, const std::string& file) {
   deck.quadrature = convert_word<Quadrature>(checked, "quadrature", words::quadrature);
   deck.small_strain = checked.at("deformation").text() == "small";
   for (const Value& crack : checked.at("cracks").items()) deck.cracks.push_back(convert_crack(crack, deck.dimension));
-  for (const auto& [name, value] : checked.at("materials").entries()) {
-    deck.materials.push_back({value.location(), name, value.at("model").text(), value});
-  }
+  for (const auto& [name, value] : checked.at("materials").entries())
+    deck.materials.push_back(convert_material(name, value));
   for (const auto& [name, value] : checked.at("sets").entries()) {
     deck.sets.push_back(convert_set(name, value, deck.dimension));
   }
   for (const Value& load : checked.at("boundary").items()) deck.boundary.push_back(convert_load(load, deck.dimension));
+  deck.dynamics = convert_word<Dynamics>(checked, "dynamics", words::dynamics);
+  for (const Value& value : checked.at("initial_velocity").items())
+    deck.initial_velocity.push_back(convert_initial_velocity(value, deck.dimension));
+  deck.motion = convert_explicit(checked.at("explicit"));
+  deck.fracture = convert_fracture(checked.at("fracture"));
+  deck.fallback = convert_word<Fallback>(checked, "fallback", words::fallback);
+  deck.hand_over = convert_hand_over(checked.at("hand_over"));
   deck.steps = convert_steps(checked.at("steps"));
+  deck.arc_length = convert_arc_length(checked.at("arc_length"), deck.dimension);
   deck.solver = convert_solver(checked.at("solver"));
   deck.output = convert_output(checked.at("output"));
   for (const Value& entry : checked.at("history").items()) {
@@ -201,6 +226,7 @@ Deck convert(Value checked, const std::string& file) {
   }
   deck.resolved = std::move(checked);
   check_references(deck);
+  refuse_unfit_dynamics(deck);
   return deck;
 }
 

@@ -19,6 +19,15 @@ void refuse_empty_box(const Point& min, const Point& max, Dimension dimension, c
 /// InputError at the key's place.
 void refuse_unfit_solver(const Solver& solver, const Value& linear);
 
+Damage convert_damage(const Value& value);
+Fracture convert_fracture(const Value& value);
+Explicit convert_explicit(const Value& value);
+InitialVelocity convert_initial_velocity(const Value& value, Dimension dimension);
+HandOver convert_hand_over(const Value& value);
+ArcLength convert_arc_length(const Value& value, Dimension dimension);
+/// What dynamics needs and what only it has. Throws InputError at the key's place.
+void refuse_unfit_dynamics(const Deck& deck);
+
 /// Names and references between the deck's parts. Throws InputError at the place of the name.
 void check_references(const Deck& deck);
 

@@ -14,5 +14,13 @@ Key declare_cracks();
 Key declare_sets();
 Key declare_boundary();
 Key declare_solver();
+Key declare_damage();  ///< of a material
+Key declare_fracture();
+Key declare_dynamics();
+Key declare_explicit();
+Key declare_initial_velocity();
+Key declare_fallback();
+Key declare_hand_over();
+Key declare_arc_length();
 
 }  // namespace perinox::deck

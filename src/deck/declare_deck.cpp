@@ -19,9 +19,10 @@ Key declare_horizon() {
 Key declare_materials(const std::vector<ModelDeclaration>& models) {
   std::vector<std::string> names;
   for (const ModelDeclaration& model : models) names.push_back(model.name);
-  Key element = map_key("", "One material; its other keys are those of its model.",
-                        {required(word_key("model", names, "", "The material model, which decides the other keys.")),
-                         positive_key("density", "mass/volume", "Mass density; needed only by dynamics.")});
+  Key element =
+      map_key("", "One material; its other keys are those of its model.",
+              {required(word_key("model", names, "", "The material model, which decides the other keys.")),
+               positive_key("density", "mass/volume", "Mass density; needed only by dynamics."), declare_damage()});
   element.place = "a material";
   element.picks_model = true;
   Key key;
@@ -36,11 +37,13 @@ Key declare_materials(const std::vector<ModelDeclaration>& models) {
 Key declare_steps() {
   Key end = positive_key("end", "-", "Load parameter t at the end of the run; t starts at 0.");
   end.fallback = "1";
-  Key key =
-      map_key("steps", "How the load parameter t goes from 0 to its end.",
-              {end, integer_key("count", 1, 1e9, "10", "Number of steps of equal size."),
-               boolean_key("adaptive", true, "Halve a step that fails to converge and let later steps grow again."),
-               integer_key("max_cuts", 0, 60, "8", "How often a step may be halved before the run stops.")});
+  Key key = map_key(
+      "steps", "How the load parameter t goes from 0 to its end.",
+      {end, integer_key("count", 1, 1e9, "10", "Number of steps of equal size."),
+       boolean_key("adaptive", true, "Halve a step that fails to converge and let later steps grow again."),
+       integer_key("max_cuts", 0, 60, "8", "How often a step may be halved before the run stops."),
+       word_key("control", words::control, "load",
+                "load: t is given; arc-length: t is found along the path of equilibria, which may turn back.")});
   key.fallback = "{}";
   key.example = "steps: {end: 1.0, count: 20}";
   return key;
@@ -108,9 +111,29 @@ Key declare_deck(const std::vector<ModelDeclaration>& models) {
   bond_bodies.example = "bond_bodies: false";
   title.example = "title: block in tension";
   Key root = map_key("", "The deck.",
-                     {title, dimension, declare_body(), bond_bodies, declare_horizon(), influence, quadrature,
-                      deformation, declare_cracks(), declare_materials(models), declare_sets(), declare_boundary(),
-                      declare_steps(), declare_solver(), declare_output(models), declare_history()});
+                     {title,
+                      dimension,
+                      declare_body(),
+                      bond_bodies,
+                      declare_horizon(),
+                      influence,
+                      quadrature,
+                      deformation,
+                      declare_cracks(),
+                      declare_materials(models),
+                      declare_sets(),
+                      declare_boundary(),
+                      declare_dynamics(),
+                      declare_initial_velocity(),
+                      declare_explicit(),
+                      declare_fracture(),
+                      declare_fallback(),
+                      declare_hand_over(),
+                      declare_steps(),
+                      declare_arc_length(),
+                      declare_solver(),
+                      declare_output(models),
+                      declare_history()});
   root.place = "a deck";
   root.required = true;
   return root;

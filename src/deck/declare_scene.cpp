@@ -135,21 +135,24 @@ Key declare_boundary() {
                 "Of a traction or a pressure: a direction; only faces that look this way count, and a traction "
                 "acts on their area as it is seen from there.");
   facing.required = false;
-  Key element = map_key("", "One load.",
-                        {required(text_key("set", "Where the load acts: a set's or body's name, or all.")),
-                         displacement, components("force", "force", "Force, total over the set.", "force"),
-                         components("body_force", "force/volume", "Force per volume.", "force per volume"),
-                         components("traction", "stress",
-                                    "Force per area of the reference surface, on the exposed faces of the set's "
-                                    "particles; only on lattices.",
-                                    "traction"),
-                         expression_key("pressure", "stress",
-                                        "Pressure into the body, along the normals of the reference surface, on the "
-                                        "exposed faces of the set's particles: a number or a formula of x, y, z, t; "
-                                        "only on lattices."),
-                         facing});
+  Key element =
+      map_key("", "One load.",
+              {required(text_key("set", "Where the load acts: a set's or body's name, or all.")), displacement,
+               components("force", "force", "Force, total over the set.", "force"),
+               components("body_force", "force/volume", "Force per volume.", "force per volume"),
+               components("traction", "stress",
+                          "Force per area of the reference surface, on the exposed faces of the set's "
+                          "particles; only on lattices.",
+                          "traction"),
+               expression_key("pressure", "stress",
+                              "Pressure into the body, along the normals of the reference surface, on the "
+                              "exposed faces of the set's particles: a number or a formula of x, y, z, t; "
+                              "only on lattices."),
+               facing,
+               components("velocity", "velocity",
+                          "Prescribed velocity; only with dynamics: explicit, where t is the time.", "velocity")});
   element.place = "a load";
-  element.alternatives = {{"displacement"}, {"force"}, {"body_force"}, {"traction"}, {"pressure"}};
+  element.alternatives = {{"displacement"}, {"force"}, {"body_force"}, {"traction"}, {"pressure"}, {"velocity"}};
   Key key = list_key("boundary", "Prescribed displacements and applied forces.", element);
   key.fallback = "[]";
   key.example =

@@ -35,7 +35,7 @@ bool ends_with(const std::string& path, const std::string& last) {
 std::string overview(const Schema& schema) {
   std::string out = "The deck's keys (perinox help KEY tells more of one):\n";
   for (const Key& key : schema.root().keys)
-    out += fmt::format("  {:<12}{} ({})\n", key.name, key.sentence, default_text({"", "", &key}));
+    out += fmt::format("  {:<17}{} ({})\n", key.name, key.sentence, default_text({"", "", &key}));
   return out;
 }
 

@@ -20,12 +20,17 @@ inline const std::vector<std::string> linear_method{"automatic", "cg", "gmres", 
 inline const std::vector<std::string> preconditioner{
     "automatic", "none", "two-level", "block-jacobi", "jacobi", "symmetric-gauss-seidel", "chebyshev", "ilu"};
 inline const std::vector<std::string> component{"x", "y", "z"};
-inline const std::vector<std::string> load_kind{"displacement", "force", "body_force", "traction", "pressure"};
+inline const std::vector<std::string> load_kind{"displacement", "force",    "body_force",
+                                                "traction",     "pressure", "velocity"};
+inline const std::vector<std::string> break_criterion{"bond-energy", "stretch"};
+inline const std::vector<std::string> dynamics{"quasi-static", "explicit"};
+inline const std::vector<std::string> fallback{"automatic", "explicit", "none"};
+inline const std::vector<std::string> control{"load", "arc-length"};
 inline const std::vector<std::string> history_kind{"reaction", "displacement", "yielded"};
 /// Fields that every scene carries; the material models add their own.
 inline const std::vector<std::string> field{"displacement",     "force",           "dilatation", "damage",
                                             "stored_energy",    "weighted_volume", "stress",     "strain",
-                                            "von_mises_stress", "plastic_work"};
+                                            "von_mises_stress", "plastic_work",    "velocity"};
 
 /// The enumeration's value for a word that the schema has already accepted.
 template <class Enumeration>

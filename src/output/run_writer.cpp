@@ -84,7 +84,8 @@ RunWriter::RunWriter(const deck::Deck& deck, const body::Body& body, std::string
   if (files.communicator.is_root()) {
     if (!quiet) files.terminal.emplace(std::cout, screen_is_watched());
     if (files.terminal && !moved.empty()) files.terminal->say(moved);
-    files.history.emplace(files.directory + "/history.csv", history_names(deck));
+    files.history.emplace(files.directory + "/history.csv", history_names(deck),
+                          HistoryTable::Columns{deck.breaks(), deck.may_move()});
     files.convergence.emplace(files.directory + "/convergence.csv");
     failure = replace_file(files.directory + "/deck.resolved.yaml", deck::write_resolved(deck));
   }
@@ -107,6 +108,15 @@ void RunWriter::newton_iteration(const solve::NewtonIteration& row) {
 void RunWriter::step_rejected(double t_from, double t_to, const std::string& reason) {
   ++files_->attempt;
   if (files_->terminal) files_->terminal->step_rejected(t_from, t_to, reason);
+}
+
+void RunWriter::bonds_broken(const solve::BreakingPass& pass) {
+  ++files_->attempt;
+  if (files_->terminal) files_->terminal->bonds_broken(pass);
+}
+
+void RunWriter::note(const std::string& sentence) {
+  if (files_->terminal) files_->terminal->say("  " + sentence);
 }
 
 void RunWriter::step_committed(const solve::StepRecord& record) {

@@ -38,12 +38,14 @@ std::string seconds_columns() {
 }
 }  // namespace
 
-HistoryTable::HistoryTable(const std::string& path, const std::vector<std::string>& names) : file_(path) {
+HistoryTable::HistoryTable(const std::string& path, const std::vector<std::string>& names, Columns columns)
+    : file_(path), columns_(columns) {
   std::string header = "step,t";
   for (const std::string& name : names) header += "," + csv_cell(name);
   file_.append(header +
                ",stored_energy,dissipated_energy,external_work,newton_iterations,linear_iterations,seconds,products" +
-               seconds_columns());
+               seconds_columns() + (columns.fracture ? ",passes,broken_bonds,released_energy,relaxed_energy" : "") +
+               (columns.motion ? ",time,time_steps,kinetic_energy,damped_energy,contact_energy" : ""));
 }
 
 void HistoryTable::row(const solve::StepRecord& record) {
@@ -53,6 +55,16 @@ void HistoryTable::row(const solve::StepRecord& record) {
                       record.external_work, record.newton_iterations, record.linear_iterations, record.seconds,
                       record.profile.count_of(Section::product));
   for (const Section section : columns) line += fmt::format(",{:.6g}", record.profile.seconds_of(section));
+  if (columns_.fracture) {
+    const solve::FractureRow row = record.fracture.value_or(solve::FractureRow());
+    line +=
+        fmt::format(",{},{},{:.17g},{:.17g}", row.passes, row.broken_bonds, row.released_energy, row.relaxed_energy);
+  }
+  if (columns_.motion) {
+    const solve::MotionRow row = record.motion.value_or(solve::MotionRow());
+    line += fmt::format(",{:.17g},{},{:.17g},{:.17g},{:.17g}", row.time, row.time_steps, row.kinetic_energy,
+                        row.damped_energy, row.contact_energy);
+  }
   file_.append(line);
 }
 

@@ -61,6 +61,11 @@ void Terminal::step_rejected(double t_from, double t_to, const std::string& reas
   print(fmt::format("  rejected, t = {:.6g} to {:.6g}: {}\n", t_from, t_to, reason));
 }
 
+void Terminal::bonds_broken(const solve::BreakingPass& pass) {
+  print(fmt::format("  pass {} at t = {:.6g}: {} of {} critical bonds broken, the worst at {:.4g} of its limit\n",
+                    pass.pass, pass.t, pass.broken, pass.critical, pass.worst));
+}
+
 void Terminal::step_committed(const solve::StepRecord& record) {
   const std::string left = record.last ? "" : fmt::format(", about {} left", duration(record.remaining_seconds));
   end_ = fmt::format(" of {:.6g}", record.end);

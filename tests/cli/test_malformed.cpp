@@ -54,7 +54,7 @@ const Mistake mistakes_in_decks[] = {
     {"unknown_component", &base_deck, "{z: \"0.01*t\"}", "{w: \"0.01*t\"}",
      "deck.yaml:22:32: w is not a key of boundary.1.displacement; its keys are x, y, z and table"},
     {"unknown_key_of_steps", &base_deck, "count: 2", "number: 2",
-     "deck.yaml:23:19: number is not a key of steps; its keys are end, count, adaptive and max_cuts"},
+     "deck.yaml:23:19: number is not a key of steps; its keys are end, count, adaptive, max_cuts and control"},
     {"unknown_key_of_solver", &base_deck, "tangent: matrix-free", "tangents: matrix-free",
      "deck.yaml:25:3: tangents is not a key of solver; did you mean tangent?"},
     {"unknown_key_of_newton", &base_deck, "{tolerance: 1e-8}", "{tol: 1e-8}",
@@ -109,7 +109,7 @@ const Mistake mistakes_in_decks[] = {
      "position-aware or surface-energy"},
     {"unknown_field", &base_deck, "[displacement, force]", "[displacement, heat]",
      "deck.yaml:28:43: an entry of fields cannot be 'heat'; it can be displacement, force, dilatation, damage, "
-     "stored_energy, weighted_volume, stress, strain, von_mises_stress, plastic_work, plastic_multiplier, "
+     "stored_energy, weighted_volume, stress, strain, von_mises_stress, plastic_work, velocity, plastic_multiplier, "
      "equivalent_plastic_strain or plastic_strain_zz"},
     {"unknown_material", &base_deck, "material: steel", "material: stele",
      "deck.yaml:7:15: stele is not the name of a material; did you mean steel?"},

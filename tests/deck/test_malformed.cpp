@@ -25,7 +25,8 @@ const Mistake mistakes[] = {
      "influnce is not a key of a deck; did you mean influence?"},
     {"unknown_key_far_from_all", base, "influence: constant", "gravity: 9.81", "9:1",
      "gravity is not a key of a deck; its keys are title, dimension, body, bond_bodies, horizon, influence, "
-     "quadrature, deformation, cracks, materials, sets, boundary, steps, solver, output and history"},
+     "quadrature, deformation, cracks, materials, sets, boundary, dynamics, initial_velocity, explicit, fracture, "
+     "fallback, hand_over, steps, arc_length, solver, output and history"},
     {"unknown_key_of_a_material", base, "yield_stress", "yield_stess", "16:5",
      "yield_stess is not a key of a material; did you mean yield_stress?"},
     {"key_of_another_model", base, "model: elastic-plastic", "model: elastic", "16:5",
@@ -90,7 +91,7 @@ const Mistake mistakes[] = {
     {"number_for_a_map", base, "horizon: {ratio: 3.015}", "horizon: 3.015", "8:10",
      "horizon must be a map with exactly one of ratio or length, but '3.015' was found"},
     {"list_for_a_map", base, "steps: {end: 1.0, count: 20}", "steps: [1.0, 20]", "24:8",
-     "steps must be a map with the keys end, count, adaptive and max_cuts, but a list was found"},
+     "steps must be a map with the keys end, count, adaptive, max_cuts and control, but a list was found"},
     {"map_for_a_list", base, "fields: [displacement, force]", "fields: {a: 1}", "28:28",
      "fields must be a list, but a map was found"},
     {"not_a_number", base, "spacing: 1.0", "spacing: .nan", "6:14",
@@ -143,7 +144,7 @@ const Mistake mistakes[] = {
     {"material_choice_with_two", base, "{tension: 203.1}", "{tension: 203.1, shear: 100}", "16:36",
      "materials.steel.yield_stress has both tension and shear, but these exclude each other; keep one"},
     {"load_with_none", base, "  - set: head\n    displacement: {z: \"0.3*t\"}", "  - set: head", "22:5",
-     "a load needs exactly one of displacement, force, body_force, traction or pressure, but has none"},
+     "a load needs exactly one of displacement, force, body_force, traction, pressure or velocity, but has none"},
     {"load_with_two", base, "    displacement: {z: \"0.3*t\"}", "    displacement: {z: \"0.3*t\"}\n    force: {x: 1}",
      "24:5", "a load has both displacement and force, but these exclude each other; keep one"},
     {"displacement_with_nothing", base, "{x: 0, y: 0, z: 0}", "{}", "21:31",
@@ -162,7 +163,7 @@ const Mistake mistakes[] = {
      "model cannot be 'elastic-plastik'; did you mean elastic-plastic?"},
     {"unknown_field", base, "[displacement, force]", "[displacement, heat]", "28:43",
      "an entry of fields cannot be 'heat'; it can be displacement, force, dilatation, damage, stored_energy, "
-     "weighted_volume, stress, strain, von_mises_stress, plastic_work, plastic_multiplier or "
+     "weighted_volume, stress, strain, von_mises_stress, plastic_work, velocity, plastic_multiplier or "
      "equivalent_plastic_strain"},
     {"facing_of_a_force", base, "displacement: {z: \"0.3*t\"}", "force: {z: 1}\n    facing: [0, 0, 1]", "24:13",
      "facing chooses faces of the surface and goes with traction or pressure only; remove it"},

@@ -152,6 +152,8 @@ TEST(ReferencePage, EveryExampleReads) {
     for (const auto& entry : part) deck[entry.first.Scalar()] = entry.second;
     if (part["boundary"]) deck["sets"]["bore"] = YAML::Load("{where: \"x < 1\"}");
     if (part["sets"]) deck["boundary"] = YAML::Load("[{set: foot, displacement: {x: 0}}]");
+    if (part["initial_velocity"]) deck["dynamics"] = "explicit";
+    if (part["dynamics"] || part["initial_velocity"]) deck["materials"]["aluminium"]["density"] = "2.7e-9";
     YAML::Emitter text;
     text << deck;
     EXPECT_EQ(fixture::message_of(text.c_str()), "") << found[i];

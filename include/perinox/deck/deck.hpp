@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "perinox/deck/expression.hpp"
+#include "perinox/deck/fracture.hpp"
 #include "perinox/deck/location.hpp"
 #include "perinox/deck/value.hpp"
 
@@ -99,6 +100,8 @@ struct Material {
   std::string name;
   std::string model;
   Value parameters;
+  std::optional<double> density{};  ///< mass a volume (2-D: an area, at unit thickness)
+  std::optional<Damage> damage{};
 };
 
 // --- sets, loads --------------------------------------------------------------------------------------------------
@@ -120,7 +123,7 @@ struct Set {
   std::variant<SetWhere, SetBox, SetIds, SetBody> form;
 };
 
-enum class LoadKind { displacement, force, body_force, traction, pressure };
+enum class LoadKind { displacement, force, body_force, traction, pressure, velocity };
 /// One entry of `boundary`. Components not named are free (displacement) or zero (forces).
 struct Load {
   Location location;
@@ -139,6 +142,7 @@ struct Steps {
   int count = 10;        ///< steps of equal size
   bool adaptive = true;  ///< halve a failed step, grow it again
   int max_cuts = 8;      ///< smallest step = (end/count)/2^max_cuts
+  Control control = Control::load;
 };
 enum class TangentKind { automatic, matrix_free, assembled };
 enum class TangentForm { consistent, printed };
@@ -201,10 +205,22 @@ struct Deck {
   std::vector<Material> materials;
   std::vector<Set> sets;
   std::vector<Load> boundary;
+  Dynamics dynamics = Dynamics::quasi_static;
+  std::vector<InitialVelocity> initial_velocity;
+  Explicit motion;  ///< the key `explicit`
+  Fracture fracture;
+  Fallback fallback = Fallback::automatic;
+  HandOver hand_over;
   Steps steps;
+  ArcLength arc_length;
   Solver solver;
   Output output;
   std::vector<HistoryEntry> history;
+
+  /// True where bonds of some material can break.
+  bool breaks() const;
+  /// True where the run is explicit or may come to be.
+  bool may_move() const;
 
   /// The checked deck with all defaults, from which deck.resolved.yaml is written.
   Value resolved;

@@ -28,15 +28,22 @@ class GrowingFile {
 
 /// `history.csv`: one row a committed step. Columns: step, t, one for each name, stored_energy, dissipated_energy,
 /// external_work, newton_iterations, linear_iterations, seconds, products, and seconds_<section> of each section of the
-/// profile. Numbers as %.17g: they read back to the same double; the sections' seconds with six digits.
+/// profile; then those of FractureRow and MotionRow, by their names, for scenes that have them. Numbers as %.17g: they
+/// read back to the same double; the sections' seconds with six digits.
 class HistoryTable {
  public:
-  HistoryTable(const std::string& path, const std::vector<std::string>& names);
+  struct Columns {
+    bool fracture = false;
+    bool motion = false;
+  };
+  HistoryTable(const std::string& path, const std::vector<std::string>& names) : HistoryTable(path, names, {}) {}
+  HistoryTable(const std::string& path, const std::vector<std::string>& names, Columns columns);
   void row(const solve::StepRecord& record);
   const std::string& failure() const { return file_.failure(); }
 
  private:
   GrowingFile file_;
+  Columns columns_;
 };
 
 /// `convergence.csv`: one row a Newton iteration. Columns: step, t, attempt, iteration, residual, relative_residual,
