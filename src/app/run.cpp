@@ -22,15 +22,15 @@ constexpr double worth_a_warning = 0.05;
 /// What of the external work is neither stored nor dissipated, over the largest of the three.
 double unaccounted(const solve::Energies& e) {
   const double size = std::max({std::abs(e.external_work), std::abs(e.stored), std::abs(e.dissipated)});
-  return size > 0 ? (e.external_work - e.stored - e.dissipated) / size : 0;
+  return size > 0 ? (e.external_work - e.stored - e.dissipated - e.released - e.relaxed) / size : 0;
 }
 
 }  // namespace
 
 int run(const Options& options, const Communicator& communicator) {
-  const Problem problem = prepare(options, communicator);
+  Problem problem = prepare(options, communicator);
   const deck::Deck& deck = problem.deck;
-  const mechanics::Scene& scene = problem.scene;
+  mechanics::Scene& scene = problem.scene;
   solve::LoadStepper stepper(deck, scene);
 
   const bool talk = communicator.is_root() && !options.quiet;

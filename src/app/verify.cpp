@@ -19,9 +19,9 @@ constexpr long long assembled_bonds = 1'500'000;
 }  // namespace
 
 int verify(const Options& options, const Communicator& communicator) {
-  const Problem problem = prepare(options, communicator);
+  Problem problem = prepare(options, communicator);
   const deck::Deck& deck = problem.deck;
-  const mechanics::Scene& scene = problem.scene;
+  mechanics::Scene& scene = problem.scene;
   solve::LoadStepper stepper(deck, scene);
   const bool talk = communicator.is_root() && !options.quiet;
   say_remarks(stepper.boundary(), communicator);

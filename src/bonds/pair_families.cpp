@@ -90,6 +90,19 @@ void PairFamilies::complete() {
   weight_.shrink_to_fit();
 }
 
+PairFamilies::Removed PairFamilies::remove(LocalIndex i, LocalIndex j) {
+  const int near = std::min(slot_[i], slot_[j]), other = std::max(slot_[i], slot_[j]);
+  for (std::int64_t k = begin_[near]; k < begin_[near + 1]; ++k) {
+    if (far_[k] != other) continue;
+    const Removed removed{length_[k], weight_.empty() ? 1.0 : weight_[k]};
+    far_[k] = slots() - 1;
+    length_[k] = 1;
+    if (!weight_.empty()) weight_[k] = 0;
+    return removed;
+  }
+  return {};
+}
+
 std::size_t PairFamilies::bytes() const {
   return particle_.size() * sizeof(LocalIndex) + slot_.size() * sizeof(int) + begin_.size() * sizeof(std::int64_t) +
          far_.size() * sizeof(std::int32_t) + (length_.size() + weight_.size()) * sizeof(double) +

@@ -38,12 +38,16 @@ Key declare_damage() {
       "damage", "When the bonds of this material break: exactly one law. Without it they never do.",
       {positive_key("critical_stretch", "-", "A bond breaks when its extension over its length reaches this."),
        positive_key("critical_bond_energy", "energy/volume^2",
-                    "A stretched bond breaks when its recoverable energy a volume of either end reaches this."),
+                    "A stretched bond breaks when its energy, half the sum of its two force states times its "
+                    "extension, reaches this; only for materials that do not flow."),
        positive_key("energy_release_rate", "energy/area",
                     "Energy that a crack takes an area of its surface, G_c; turned into one of the two above with "
                     "this scene's horizon, influence function and quadrature."),
        ductile,
-       word_key("criterion", words::break_criterion, "bond-energy", "What energy_release_rate is turned into.")});
+       word_key(
+           "criterion", words::break_criterion, "automatic",
+           "What energy_release_rate is turned into; automatic takes bond-energy where the material does not flow, "
+           "else stretch.")});
   key.alternatives = {{"critical_stretch"}, {"critical_bond_energy"}, {"energy_release_rate"}, {"ductile"}};
   key.place = "a damage law";
   return key;

@@ -22,7 +22,7 @@ inline const std::vector<std::string> preconditioner{
 inline const std::vector<std::string> component{"x", "y", "z"};
 inline const std::vector<std::string> load_kind{"displacement", "force",    "body_force",
                                                 "traction",     "pressure", "velocity"};
-inline const std::vector<std::string> break_criterion{"bond-energy", "stretch"};
+inline const std::vector<std::string> break_criterion{"automatic", "bond-energy", "stretch"};
 inline const std::vector<std::string> dynamics{"quasi-static", "explicit"};
 inline const std::vector<std::string> fallback{"automatic", "explicit", "none"};
 inline const std::vector<std::string> control{"load", "arc-length"};

@@ -26,6 +26,9 @@ FamilySums sums_of(const Family& family, const double* extension, const double* 
     sums.square += family.influence[j] * elastic * elastic * family.weight[j];
     sums.total += family.influence[j] * all * all * family.weight[j];
   }
+  const double broken = sums.shift * sums.shift * family.broken_volume;
+  sums.square += broken;
+  sums.total += broken;
   return sums;
 }
 

@@ -5,12 +5,15 @@
 namespace perinox::mechanics {
 
 void Evaluation::at(const Scene& scene, const Committed& committed, const double* displacement) {
-  const bool same = version_ == committed.version() && displacement_.size() == scene.local_unknowns() &&
+  const bool same = version_ == committed.version() && bonds_version_ == scene.bonds_version() &&
+                    displacement_.size() == scene.local_unknowns() &&
                     std::equal(displacement, displacement + scene.owned_unknowns(), displacement_.begin());
   if (!scene.body().communicator.any(!same)) return;
   displacement_.resize(scene.local_unknowns());
   std::copy(displacement, displacement + scene.owned_unknowns(), displacement_.begin());
   scene.body().halo.update_ghosts(displacement_.data(), scene.dimension());
+  if (bonds_version_ != scene.bonds_version()) loops_->bonds_changed();
+  bonds_version_ = scene.bonds_version();
   sums_.total.clear();
   if (back_stress_ && committed.plastic().chunks()) {  // a sweep more, so that the others need no sum more
     loops_->strain_sums(displacement_.data(), committed.mean().data(), PlasticExtension(), sums_);

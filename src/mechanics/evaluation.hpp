@@ -29,6 +29,7 @@ class Evaluation {
   StrainSums sums_;
   bool back_stress_;
   std::uint64_t version_ = 0;
+  std::uint64_t bonds_version_ = 0;
 };
 
 }  // namespace perinox::mechanics

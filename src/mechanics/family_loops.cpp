@@ -17,6 +17,11 @@ materials::FamilySums family_sums(const Scene& scene, const Committed& committed
   sums.square = strains.square[i];
   sums.total = strains.total.empty() ? sums.square : strains.total[i];
   sums.shift = committed.mean()[i];
+  if (!scene.families().broken_volume.empty()) {
+    const double broken = sums.shift * sums.shift * scene.families().broken_volume[i];
+    sums.square += broken;
+    sums.total += broken;
+  }
   sums.weighted_volume = scene.families().weighted_volume[i];
   if (!scene.families().deviatoric_volume.empty()) sums.corrected_volume = scene.families().deviatoric_volume[i];
   sums.continuum_weighted_volume = scene.families().continuum_weighted_volume;

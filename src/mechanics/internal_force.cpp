@@ -72,6 +72,25 @@ void internal_force(const Scene& scene, const Committed& committed, const double
   std::copy(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()), force);
 }
 
+void force_states(const Scene& scene, const Committed& state, double* points) {
+  Evaluation& evaluation = scene.evaluation();
+  evaluation.at(scene, state, state.displacement().data());
+  const auto n = static_cast<std::size_t>(bonds::mandel_size(scene.dimension()));
+  std::vector<double> scratch;
+  materials::StrainFit fit;
+  for (LocalIndex i = 0; i < scene.owned(); ++i) {
+    scratch.resize(static_cast<std::size_t>(scene.point_history()[i + 1] - scene.point_history()[i]));
+    const materials::PointState point =
+        scene.material(i).state(evaluation.sums(scene, state, i, fit), state.point_history(scene, i), scratch.data());
+    const bonds::Moment* moment = scene.families().moment(i);
+    double* to = points + (2 + n) * static_cast<std::size_t>(i);
+    to[0] = moment ? 0 : point.radial;
+    to[1] = point.shear;
+    const bonds::Mandel along = moment ? force_of_fit(*moment, fit, point) : bonds::Mandel{};
+    std::copy_n(along.begin(), n, to + 2);
+  }
+}
+
 std::string first_not_finite(const Scene& scene, const Trial& trial, const double* force) {
   const int d = scene.dimension();
   for (LocalIndex i = 0; i < scene.owned(); ++i) {

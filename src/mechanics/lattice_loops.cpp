@@ -43,6 +43,10 @@ LatticeLoops::LatticeLoops(const Scene& scene, Purpose purpose)
   if (!fitted_.empty()) find_fitted_blocks();
 }
 
+void LatticeLoops::bonds_changed() {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) blocks_[b].mask = families_.blocks()[b].mask;
+}
+
 void LatticeLoops::find_fitted_blocks() {
   std::vector<char> fitted(static_cast<std::size_t>(families_.grid().size()), 0);
   for (const LocalIndex i : fitted_) fitted[static_cast<std::size_t>(families_.grid().cell[i])] = 1;

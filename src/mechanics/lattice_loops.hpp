@@ -16,6 +16,7 @@ class LatticeLoops : public FamilyLoops {
   void linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) override;
   void diagonal_blocks(const TangentLaw& law, double* blocks) override;
   void advance(const double* displacement, const double* mean, const double* flow, PlasticExtension& plastic) override;
+  void bonds_changed() override;
   LoopMemory expected() const override;
   std::size_t bytes() const override;
 

@@ -67,6 +67,8 @@ void MatrixFreeTangent::linearise(const Committed& committed, const double* disp
     shear_left_.resize(owned, 1.0);
     shear_left_[i] = left_of_shear(sums, modulus, scene_.material(i).elastic_moduli(scene_.dimension()).shear);
   }
+  if (bonds_version_ != scene_.bonds_version()) loops_->bonds_changed();
+  bonds_version_ = scene_.bonds_version();
   plastic_ = committed.shared_plastic();
   loops_->linearise(evaluation.displacement().data(), law_, *plastic_);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 #include "evaluation.hpp"
 
@@ -109,6 +110,43 @@ void Scene::drop_fits() {
   if (families_.moments.empty()) families_.fit = {};
 }
 
+void Scene::break_bonds(const std::vector<BondEnds>& ends) {
+  if (ends.empty()) return;
+  if (!from_sums_) throw std::logic_error("bonds of a material that is not made of sums cannot break");
+  families_.broken_volume.resize(static_cast<std::size_t>(body_.owned), 0.0);
+  for (const BondEnds& bond : ends) {
+    double square = 0;  // omega xi^2 and the quadrature's share
+    if (lattice_) {
+      if (const bonds::StencilOffset* offset = lattice_->remove(bond[0], bond[1]))
+        square = offset->influence * offset->share * offset->length * offset->length;
+    } else {
+      const bonds::PairFamilies::Removed removed = pairs_->remove(bond[0], bond[1]);
+      square = removed.weight * removed.length * removed.length;
+    }
+    if (square == 0) throw std::logic_error("a bond that is not there cannot break");
+    for (const int end : {0, 1}) {
+      const LocalIndex i = bond[static_cast<std::size_t>(end)], j = bond[static_cast<std::size_t>(1 - end)];
+      if (i >= body_.owned) continue;
+      // Of what there was before any crack, this much was left: 1 - damage.
+      const double lost = square * body_.volume[j], all = families_.weighted_volume[i];
+      families_.damage[i] += (1 - families_.damage[i]) * lost / (all - families_.broken_volume[i]);
+      families_.broken_volume[i] += lost;
+      if (--families_.size[i] == 0) {
+        families_.damage[i] = 1;
+        families_.broken_volume[i] = all;
+      }
+      --families_.directed;
+      ++families_.broken;
+    }
+    const std::array<GlobalId, 2> ids{body_.id[bond[0]], body_.id[bond[1]]};
+    const bool first = ids[0] < ids[1];
+    if (bond[first ? 0 : 1] < body_.owned) broken_.push_back({std::min(ids[0], ids[1]), std::max(ids[0], ids[1])});
+  }
+  ++bonds_version_;
+  bonds_.reset();
+  basis_.clear();
+}
+
 const bonds::Bonds& Scene::bonds() const {
   if (bonds_) return *bonds_;
   bonds_ = std::make_unique<bonds::Bonds>();
@@ -172,6 +210,7 @@ materials::Family Scene::family(LocalIndex i) const {
   if (!all.deviatoric_volume.empty()) family.deviatoric_volume = all.deviatoric_volume[i];
   family.continuum_weighted_volume = all.continuum_weighted_volume;
   family.moment = families_.moment(i);
+  if (!all.broken_volume.empty()) family.broken_volume = all.broken_volume[i];
   if (family.moment) family.basis = basis().data() + first * bonds::mandel_size(dimension());
   return family;
 }

@@ -101,6 +101,12 @@ void Stress::find_moments() {
 
 void Stress::evaluate(const Committed& committed) {
   const int d = scene_.dimension(), n = bonds::mandel_size(d);
+  if (bonds_version_ != scene_.bonds_version()) {  // strain and stress are those of what is left of the family
+    families_.clear();
+    find_moments();
+    loops_->bonds_changed();
+    bonds_version_ = scene_.bonds_version();
+  }
   StrainSums strains;
   loops_->strain_sums(committed.displacement().data(), committed.mean().data(), committed.plastic(), strains);
   std::vector<double> trial;

@@ -72,10 +72,7 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
   body.halo.update_ghosts(mark.data(), d);
   prescribed_.assign(mark.size(), 0);
   std::transform(mark.begin(), mark.end(), prescribed_.begin(), [](double m) { return static_cast<char>(m != 0); });
-  const auto mine =
-      std::count(prescribed_.begin(), prescribed_.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()), 1);
-  prescribed_count_ = body.communicator.sum(static_cast<long long>(mine));
-  free_count_ = body.total * d - prescribed_count_;
+  count_unknowns();
   if (prescribed_count_ == 0)
     deck::refuse(
         deck.resolved.at("boundary").location(),
@@ -83,6 +80,26 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
   refuse_free_pieces(deck, scene, prescribed_);
   check_finite(deck.steps.count > 0 ? deck.steps.end / deck.steps.count : deck.steps.end);
   check_finite(deck.steps.end);
+}
+
+void Boundary::count_unknowns() {
+  const auto end = prescribed_.begin() + static_cast<std::ptrdiff_t>(scene_.owned_unknowns());
+  prescribed_count_ = scene_.body().communicator.sum(static_cast<long long>(std::count(prescribed_.begin(), end, 1)));
+  free_count_ = scene_.body().total * scene_.dimension() - prescribed_count_;
+}
+
+void Boundary::let_go(const std::vector<char>& loose) {
+  const int d = scene_.dimension();
+  std::vector<double> mark(prescribed_.begin(), prescribed_.end());
+  loose_.resize(static_cast<std::size_t>(scene_.owned()), 0);
+  for (LocalIndex i = 0; i < scene_.owned(); ++i) {
+    if (!loose[i]) continue;
+    loose_[i] = 1;
+    std::fill_n(mark.begin() + static_cast<std::ptrdiff_t>(i) * d, d, 1.0);
+  }
+  scene_.body().halo.update_ghosts(mark.data(), d);
+  std::transform(mark.begin(), mark.end(), prescribed_.begin(), [](double m) { return static_cast<char>(m != 0); });
+  count_unknowns();
 }
 
 double Boundary::value(const Entry& entry, int component, LocalIndex i, double t) const {

@@ -47,7 +47,7 @@ struct LoadStepper::Clock {
   int cuts_ = 0;
 };
 
-LoadStepper::LoadStepper(const deck::Deck& deck, const mechanics::Scene& scene)
+LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
     : deck_(deck),
       scene_(scene),
       boundary_(deck, scene),
@@ -65,6 +65,7 @@ LoadStepper::LoadStepper(const deck::Deck& deck, const mechanics::Scene& scene)
   };
   if (scene.from_sums() && (asks("stress") || asks("strain") || asks("von_mises_stress")))
     stress_ = std::make_unique<mechanics::Stress>(scene);
+  if (deck.breaks()) breaking_ = std::make_unique<BondBreaking>(deck, scene);
   if (asks("plastic_work")) plastic_work_.resize(static_cast<std::size_t>(scene.owned()));
   for (const auto& material : scene.materials()) {
     std::vector<std::size_t>& places = history_place_.emplace_back();
@@ -84,7 +85,7 @@ void LoadStepper::run(Observer& observer) {
     const double t = clock.next(committed_.t());
     mechanics::Trial trial;
     std::vector<double> force;
-    const NewtonResult result = newton_.solve(committed_, t, step_ + 1, first_guess(t), observer, trial, force);
+    NewtonResult result = newton_.solve(committed_, t, step_ + 1, first_guess(t), observer, trial, force);
     if (!result.converged) {
       observer.step_rejected(committed_.t(), t, result.reason);
       if (!clock.cut()) stop(observer, t, result);
@@ -94,6 +95,10 @@ void LoadStepper::run(Observer& observer) {
     ++step_;
     clock.accept(t);
     commit(std::move(trial), std::move(force));
+    if (breaking_) {
+      const std::string reason = break_bonds(observer, result);
+      if (!reason.empty()) lost_equilibrium(observer, reason);
+    }
     last_result_ = result;
     const bool last = clock.finished();
     StepRecord row = record(result, last || step_ % deck_.output.every == 0);
@@ -106,6 +111,14 @@ void LoadStepper::run(Observer& observer) {
     observer.step_committed(row);
     step_begin = now();
   }
+}
+
+void LoadStepper::lost_equilibrium(Observer& observer, const std::string& reason) {
+  --step_;
+  const StepRecord last = record(last_result_, true);
+  observer.run_stopped(step_ > 0 ? &last : nullptr);
+  throw RunError(fmt::format("stopped at t = {:.10g} of {:g}, after {} converged steps: {}", committed_.t(),
+                             deck_.steps.end, step_, reason));
 }
 
 void LoadStepper::stop(Observer& observer, double t, const NewtonResult& result) {
@@ -124,7 +137,15 @@ std::vector<double> LoadStepper::first_guess(double t) const {
   std::vector<double> guess(scene_.owned_unknowns());
   for (std::size_t u = 0; u < guess.size(); ++u)
     guess[u] = committed_.displacement()[u] + ratio * (committed_.displacement()[u] - previous_displacement_[u]);
+  hold_loose(guess);
   return guess;
+}
+
+void LoadStepper::hold_loose(std::vector<double>& displacement) const {
+  const int d = scene_.dimension();
+  const std::vector<char>& loose = boundary_.loose();
+  for (std::size_t i = 0; i < loose.size(); ++i)
+    if (loose[i]) std::copy_n(&committed_.displacement()[i * d], d, &displacement[i * d]);
 }
 
 void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) {
@@ -170,6 +191,7 @@ StepRecord LoadStepper::record(const NewtonResult& result, bool written) {
   row.stored_energy = energies_.stored;
   row.dissipated_energy = energies_.dissipated;
   row.external_work = energies_.external_work;
+  if (breaking_) row.fracture = FractureRow{passes_, breaking_->broken(), energies_.released, energies_.relaxed};
   row.end = deck_.steps.end;
   row.history = history();
   row.fields = fields(written);

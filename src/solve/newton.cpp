@@ -37,11 +37,20 @@ struct Newton::Parts {
   RCP<EquilibriumModel> model;
   RCP<LinearSolverFactory> factory;
   std::vector<double> external;
+  double iterations_when_made = 0;  ///< linear iterations a solve in the first step
+  double last_iterations = 0;       ///< the same, in the last step
 };
 
 Newton::Newton(const deck::Deck& deck, const mechanics::Scene& scene, const Boundary& boundary)
     : parts_(std::make_unique<Parts>(deck, scene, boundary)) {}
 Newton::~Newton() = default;
+void Newton::bonds_changed(bool supports_too) {
+  Parts& p = *parts_;
+  const bool slower = p.iterations_when_made > 0 && p.last_iterations > 1.5 * p.iterations_when_made + 5;
+  if (!supports_too && !p.deck.solver.assembled() && !slower) return;
+  parts_ = std::make_unique<Parts>(p.deck, p.scene, p.boundary);
+}
+
 const TangentSystem& Newton::system() const { return parts_->system; }
 TangentSystem& Newton::system() { return parts_->system; }
 
@@ -151,6 +160,10 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
     trouble = sentence_of(failure);
   } catch (const char* failure) {  // NOX throws bare strings
     trouble = std::string("NOX stopped: ") + failure;
+  }
+  if (result.newton_iterations > 0) {
+    p.last_iterations = static_cast<double>(result.linear_iterations) / result.newton_iterations;
+    if (p.iterations_when_made == 0) p.iterations_when_made = p.last_iterations;
   }
   if (status == NOX::StatusTest::Converged) {
     result.converged = true;

@@ -39,6 +39,12 @@ class LatticeFamilies {
   const std::vector<std::uint8_t>& masks() const { return masks_; }
   std::size_t bytes() const;
 
+  /// Takes the bond between two particles out, for good; what it was, or null if there is none.
+  const StencilOffset* remove(LocalIndex i, LocalIndex j);
+  /// visit(near end, far end, offset) for every bond, once.
+  template <class Visit>
+  void each(const Visit& visit) const;
+
   /// A bond as the sweeps see it.
   struct Place {
     LocalIndex neighbor;
@@ -70,5 +76,19 @@ class LatticeFamilies {
   int reach_ = 0;
   std::vector<int> numbers_;  ///< [(2 reach + 1)^3] number of an offset, -1 not met yet
 };
+
+template <class Visit>
+void LatticeFamilies::each(const Visit& visit) const {
+  for (const Block& block : blocks_)
+    for (std::size_t o = 0; o < offsets_.size(); ++o) {
+      const std::array<int, 3>& step = offsets_[o].step;
+      const std::int64_t to = step[0] + step[1] * grid_.row + step[2] * grid_.plane;
+      const unsigned bits = block.mask < 0 ? 0xFFu : masks_[static_cast<std::size_t>(block.mask) + o];
+      for (int lane = 0; lane < lanes; ++lane)
+        if (bits >> lane & 1u)
+          visit(grid_.particle[static_cast<std::size_t>(block.cell + lane)],
+                grid_.particle[static_cast<std::size_t>(block.cell + lane + to)], offsets_[o]);
+    }
+}
 
 }  // namespace perinox::bonds

@@ -37,6 +37,23 @@ class PairFamilies {
   const std::vector<std::int32_t>& boundary() const { return boundary_; }
   std::size_t bytes() const;
 
+  /// A bond that was there.
+  struct Removed {
+    double length = 0;
+    double weight = 0;  ///< omega times the quadrature's share
+  };
+  /// Takes the bond between two particles out, for good: its place becomes one with the particle that is not there. A
+  /// length of zero if there is none.
+  Removed remove(LocalIndex i, LocalIndex j);
+  /// visit(near end, far end, length, omega times share) for every bond, once.
+  template <class Visit>
+  void each(const Visit& visit) const {
+    for (int s = 0; s < owned_; ++s)
+      for (std::int64_t k = begin_[s]; k < begin_[s + 1]; ++k)
+        if (far_[k] != slots() - 1)
+          visit(particle_[s], particle_[far_[k]], length_[k], weight_.empty() ? 1.0 : weight_[k]);
+  }
+
   /// A bond as the sweeps see it.
   struct Place {
     LocalIndex neighbor;

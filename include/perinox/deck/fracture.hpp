@@ -11,7 +11,7 @@
 namespace perinox::deck {
 
 /// What energy_release_rate is turned into.
-enum class BreakCriterion { bond_energy, stretch };
+enum class BreakCriterion { automatic, bond_energy, stretch };
 /// A point fails at the equivalent plastic strain strain * exp(-slope * triaxiality).
 struct DuctileFailure {
   double strain = 0;  ///< d0
@@ -24,7 +24,7 @@ struct Damage {
   std::optional<double> critical_bond_energy;  ///< energy a volume squared
   std::optional<double> energy_release_rate;   ///< energy an area
   std::optional<DuctileFailure> ductile;
-  BreakCriterion criterion = BreakCriterion::bond_energy;  ///< of energy_release_rate
+  BreakCriterion criterion = BreakCriterion::automatic;  ///< of energy_release_rate
 };
 
 /// Passes of bond breaking at one load.

@@ -17,6 +17,7 @@ struct Family {
   double weighted_volume = 0;            ///< m = sum omega xi^2 weight (Eq. 8)
   double deviatoric_volume = 0;          ///< in place of m in alpha and the yield value; 0: m
   double continuum_weighted_volume = 0;  ///< m of a full continuous neighbourhood
+  double broken_volume = 0;              ///< share of m that belongs to broken bonds, which count as unstretched
   /// Of a point whose strain is fitted; null: the plain formulas.
   const bonds::Moment* moment = nullptr;
   const double* basis = nullptr;  ///< [count * mandel_size] xi N, length; with a moment only
@@ -26,7 +27,7 @@ struct Family {
 struct FamilySums {
   double extension = 0;  ///< (omega xi) . e
   double plastic = 0;    ///< (omega xi) . e_p
-  double square = 0;     ///< sum omega (e - e_p - shift xi)^2 weight
+  double square = 0;     ///< sum omega (e - e_p - shift xi)^2 weight; of a broken bond e = e_p = 0, here and below
   double total = 0;      ///< sum omega (e - shift xi)^2 weight; only for a material with a back stress
   double shift = 0;      ///< any number near theta/d: the nearer, the less cancels
   double weighted_volume = 0;

@@ -83,6 +83,9 @@ class FamilyLoops {
   virtual void advance(const double* displacement, const double* mean, const double* flow,
                        PlasticExtension& plastic) = 0;
 
+  /// To be called when bonds of the scene have broken.
+  virtual void bonds_changed() {}
+
   /// What the arrays will take.
   virtual LoopMemory expected() const = 0;
   /// Bytes of the arrays held here now.

@@ -6,6 +6,10 @@
 
 namespace perinox::mechanics {
 
+/// Force states t = omega (radial xi + shear e + xi N . H) of a committed state of a scene without plastic flow:
+/// radial, shear, H. [owned * (2 + mandel_size)]. Collective.
+void force_states(const Scene& scene, const Committed& state, double* points);
+
 /// Internal force on every particle, f_i = V_i sum_j (T_i<xi> - T_j<-xi>) V_j (Eq. 16 times V_i; force), with return
 /// mapping from the committed state. Minus the gradient of the stored energy where nothing flows.
 /// displacement: [owned * dimension]; force: [owned * dimension], overwritten. Fills `trial` with everything the state

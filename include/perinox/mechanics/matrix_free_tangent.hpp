@@ -22,6 +22,7 @@ class MatrixFreeTangent : public Tangent {
   TangentLaw law_;
   std::vector<double> shear_left_;
   std::shared_ptr<const PlasticExtension> plastic_;
+  std::uint64_t bonds_version_ = 0;
 };
 
 }  // namespace perinox::mechanics

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -18,7 +19,10 @@ class Evaluation;
 /// How the bonds are stored: as a stencil where the body is a lattice, or always as pairs (for comparison).
 enum class Layout { automatic, pairs };
 
-/// The discrete model: particles, families, and what each is made of. Constant during a run.
+/// The two ends of a bond, local indices, in any order.
+using BondEnds = std::array<LocalIndex, 2>;
+
+/// The discrete model: particles, families, and what each is made of. Constant during a run but for bonds that break.
 class Scene {
  public:
   /// materials: one per deck material, in the deck's order. bonds: of this body, and of nothing else.
@@ -37,6 +41,17 @@ class Scene {
   const bonds::PairFamilies* pairs() const { return pairs_.get(); }
   /// Every bond in plain arrays, made at the first call: 28 bytes a directed bond.
   const bonds::Bonds& bonds() const;
+
+  /// Breaks bonds, each with an end of this rank's; the rank of the other end is told the same by the caller. m and the
+  /// fit of the strain stay those of the family before: a broken bond counts as one without extension, so that its
+  /// stiffness is gone and the energy stays one energy (formulation 3). Throws std::logic_error for a bond that is not
+  /// there, and where the loops over stored bonds are taken.
+  void break_bonds(const std::vector<BondEnds>& ends);
+  /// Changes with every break_bonds.
+  std::uint64_t bonds_version() const { return bonds_version_; }
+  /// Ids of the ends of the bonds broken so far, the smaller first, in the order of breaking; of those whose smaller id
+  /// this rank owns.
+  const std::vector<std::array<GlobalId, 2>>& broken() const { return broken_; }
 
   const materials::Material& material(LocalIndex i) const { return *materials_[body_.material[i]]; }
   const std::vector<std::unique_ptr<materials::Material>>& materials() const { return materials_; }
@@ -88,6 +103,8 @@ class Scene {
   bool plastic_ = false;
   bool small_strain_ = false;
   int largest_family_ = 0;
+  std::vector<std::array<GlobalId, 2>> broken_;
+  std::uint64_t bonds_version_ = 0;
   mutable std::unique_ptr<bonds::Bonds> bonds_;
   mutable std::vector<double> basis_;  ///< [bonds * mandel_size] xi N; made with the first family that needs it
   mutable std::unique_ptr<Evaluation> evaluation_;

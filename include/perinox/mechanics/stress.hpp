@@ -45,6 +45,7 @@ class Stress {
   std::vector<Family> families_;         ///< those that differ
   std::vector<std::int32_t> family_of_;  ///< [owned] index into families_
   std::vector<double> stress_, strain_, von_mises_;
+  std::uint64_t bonds_version_ = 0;
 };
 
 }  // namespace perinox::mechanics

@@ -24,6 +24,12 @@ class Boundary {
   long long prescribed_count() const { return prescribed_count_; }
   long long free_count() const { return free_count_; }
 
+  /// Takes particles out of the unknowns, for good: they stay where they are whatever acts on them. loose: [owned].
+  /// Collective.
+  void let_go(const std::vector<char>& loose);
+  /// [owned]; empty: none is loose.
+  const std::vector<char>& loose() const { return loose_; }
+
   /// Writes the prescribed values at t into displacement [owned * dimension]; leaves free unknowns alone. Where two
   /// entries prescribe one unknown the later one wins..
   void impose(double t, double* displacement) const;
@@ -47,7 +53,9 @@ class Boundary {
 
   const mechanics::Scene& scene_;
   std::vector<Entry> entries_;
-  std::vector<char> prescribed_;
+  void count_unknowns();
+
+  std::vector<char> prescribed_, loose_;
   long long prescribed_count_ = 0;
   long long free_count_ = 0;
   std::vector<std::string> remarks_;

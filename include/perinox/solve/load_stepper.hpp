@@ -7,6 +7,7 @@
 #include "perinox/deck/deck.hpp"
 #include "perinox/mechanics/state.hpp"
 #include "perinox/mechanics/stress.hpp"
+#include "perinox/solve/bond_breaking.hpp"
 #include "perinox/solve/boundary.hpp"
 #include "perinox/solve/newton.hpp"
 #include "perinox/solve/record.hpp"
@@ -18,6 +19,8 @@ struct Energies {
   double stored = 0;
   double dissipated = 0;
   double external_work = 0;  ///< of the reactions and the external forces, trapezoidal over each step
+  double released = 0;       ///< stored energy that went with breaking bonds, the deformation held
+  double relaxed = 0;        ///< lost between breaking and the next equilibrium
 };
 
 /// Drives a scene from t = 0 to steps.end. The only place where a trial state becomes the committed one: after
@@ -25,7 +28,7 @@ struct Energies {
 class LoadStepper {
  public:
   /// Collective. Throws InputError for a scene that cannot be run.
-  LoadStepper(const deck::Deck& deck, const mechanics::Scene& scene);
+  LoadStepper(const deck::Deck& deck, mechanics::Scene& scene);
 
   /// Runs to the end. Throws RunError with the reason if it cannot go on; every step committed before has been handed
   /// to the observer.
@@ -48,16 +51,24 @@ class LoadStepper {
   void commit(mechanics::Trial&& trial, std::vector<double>&& force);
   /// written: the fields that cost something are made too.
   StepRecord record(const NewtonResult& result, bool written);
+  /// Passes of bond breaking at the committed state's load, until no bond is critical. A reason, if a pass has no
+  /// equilibrium; every pass before it is committed.
+  std::string break_bonds(Observer& observer, NewtonResult& total);
+  /// Takes what no support holds any more out of the unknowns; true if there was anything.
+  bool let_loose_go(Observer& observer);
   /// Tells the observer and throws RunError with the reason.
+  [[noreturn]] void lost_equilibrium(Observer& observer, const std::string& reason);
+  void hold_loose(std::vector<double>& displacement) const;
   [[noreturn]] void stop(Observer& observer, double t, const NewtonResult& result);
   std::vector<double> history() const;
   double entry_value(const deck::HistoryEntry& entry) const;
   std::vector<Field> fields(bool written);
 
   const deck::Deck& deck_;
-  const mechanics::Scene& scene_;
+  mechanics::Scene& scene_;
   Boundary boundary_;
   Newton newton_;
+  std::unique_ptr<BondBreaking> breaking_;  ///< where bonds can break
   mechanics::Committed committed_;
   // The committed step before, for extrapolation.
   double previous_t_ = 0;
@@ -73,6 +84,7 @@ class LoadStepper {
   std::unique_ptr<mechanics::Stress> stress_;            ///< where the deck asks for a field that needs it
   std::vector<double> plastic_work_;                     ///< [owned] if the deck asks for it
   int step_ = 0;
+  int passes_ = 0;            ///< of the step at hand
   NewtonResult last_result_;  ///< of the committed step
 };
 

@@ -43,6 +43,11 @@ class Newton {
   NewtonResult solve(const mechanics::Committed& committed, double t, int step, const std::vector<double>& guess,
                      Observer& observer, mechanics::Trial& trial, std::vector<double>& force);
 
+  /// To be called when bonds have broken or supports have changed. The tangent system is made anew where it has to be:
+  /// with other supports, where it is a matrix, or where the linear solves have come to take half as many iterations
+  /// again as after it was made, because the coarse functions still tie the new crack's faces together.
+  void bonds_changed(bool supports_too);
+
   const TangentSystem& system() const;
   TangentSystem& system();
 

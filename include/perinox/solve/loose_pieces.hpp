@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "perinox/mechanics/scene.hpp"
+#include "perinox/solve/boundary.hpp"
+
+namespace perinox::solve {
+
+/// What breaking bonds have left without support.
+struct LoosePieces {
+  std::vector<char> loose;             ///< [owned] particles of pieces that touch no support
+  long long broken = 0;                ///< bonds over all ranks that were the last of particles they could not hold
+  std::vector<std::string> sentences;  ///< for the log
+};
+
+/// Breaks what is left of the families whose bonds do not resist every motion of their particle (one bond, bonds along
+/// one line, in 3-D bonds within one plane), then finds the pieces that no bond joins to a prescribed displacement. A
+/// piece that is held only partly stays: it is in balance along its free motions as long as nothing pushes it there.
+/// Collective.
+LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary);
+
+}  // namespace perinox::solve

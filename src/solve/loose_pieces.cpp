@@ -1,0 +1,125 @@
+#include "perinox/solve/loose_pieces.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "perinox/bonds/components.hpp"
+
+namespace perinox::solve {
+
+namespace {
+
+/// Least eigenvalue of the sum of n (x) n over a family, relative to its largest, that holds a particle.
+constexpr double least_resistance = 1e-3;
+/// Families that have lost less than this are not looked at.
+constexpr double much_damage = 0.5;
+/// Single pieces named in the log; the others are counted.
+constexpr int most_named = 3;
+
+template <class Visit>
+void each_bond(const mechanics::Scene& scene, const Visit& visit) {
+  if (scene.lattice())
+    scene.lattice()->each([&](LocalIndex i, LocalIndex j, const bonds::StencilOffset&) { visit(i, j); });
+  else
+    scene.pairs()->each([&](LocalIndex i, LocalIndex j, double, double) { visit(i, j); });
+}
+
+/// Marks [local] the particles whose families hold them against less than every motion.
+std::vector<double> find_hanging(const mechanics::Scene& scene) {
+  const body::Body& body = scene.body();
+  const int d = scene.dimension();
+  const std::vector<double>& damage = scene.families().damage;
+  std::vector<double> hanging(static_cast<std::size_t>(scene.local()), 0.0);
+  std::vector<int> number(static_cast<std::size_t>(scene.owned()), -1);
+  std::vector<Eigen::Matrix3d> sums;
+  for (LocalIndex i = 0; i < scene.owned(); ++i) {
+    if (damage[i] < much_damage || scene.families().size[i] == 0) continue;
+    number[i] = static_cast<int>(sums.size());
+    sums.emplace_back(Eigen::Matrix3d::Zero());
+  }
+  if (body.communicator.any(!sums.empty()))
+    each_bond(scene, [&](LocalIndex i, LocalIndex j) {
+      Eigen::Vector3d n = Eigen::Vector3d::Zero();
+      for (int c = 0; c < d; ++c) n(c) = body.position(j)[c] - body.position(i)[c];
+      n.normalize();
+      for (const LocalIndex end : {i, j})
+        if (end < scene.owned() && number[end] >= 0) sums[static_cast<std::size_t>(number[end])] += n * n.transpose();
+    });
+  for (LocalIndex i = 0; i < scene.owned(); ++i) {
+    if (number[i] < 0) continue;
+    const Eigen::MatrixXd sum = sums[static_cast<std::size_t>(number[i])].topLeftCorner(d, d);
+    const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(sum).eigenvalues();
+    if (values(0) < least_resistance * values(d - 1)) hanging[i] = 1;
+  }
+  body.halo.update_ghosts(hanging.data(), 1);
+  return hanging;
+}
+
+/// Breaks the bonds of hanging particles; how many over all ranks.
+long long cut_hanging(mechanics::Scene& scene) {
+  const std::vector<double> hanging = find_hanging(scene);
+  std::vector<mechanics::BondEnds> ends;
+  long long counted = 0;
+  each_bond(scene, [&](LocalIndex i, LocalIndex j) {
+    if (hanging[i] == 0 && hanging[j] == 0) return;
+    ends.push_back({i, j});
+    const LocalIndex lower = scene.body().id[i] < scene.body().id[j] ? i : j;
+    if (lower < scene.owned()) ++counted;
+  });
+  scene.break_bonds(ends);
+  return scene.body().communicator.sum(counted);
+}
+
+}  // namespace
+
+LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary) {
+  const body::Body& body = scene.body();
+  const int d = scene.dimension();
+  LoosePieces found;
+  found.loose.assign(static_cast<std::size_t>(scene.owned()), 0);
+  for (long long cut = cut_hanging(scene); cut > 0; cut = cut_hanging(scene)) found.broken += cut;
+  if (found.broken > 0)
+    found.sentences.push_back(
+        fmt::format("{} bonds broken that were the last of particles they could not hold", found.broken));
+
+  const bonds::Components components = bonds::connected_components(body, scene.bond_graph());
+  const auto count = static_cast<std::size_t>(components.count());
+  std::vector<double> touched(count, 0.0), known(count, 0.0);
+  for (LocalIndex i = 0; i < scene.owned(); ++i) {
+    const auto k = static_cast<std::size_t>(components.of[i]);
+    if (!boundary.loose().empty() && boundary.loose()[i])
+      known[k] = 1;
+    else
+      for (int c = 0; c < d; ++c)
+        if (boundary.prescribed()[static_cast<std::size_t>(i) * d + c]) touched[k] = 1;
+  }
+  body.communicator.max(touched);
+  body.communicator.max(known);
+  int pieces = 0;
+  long long particles = 0, single = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (touched[k] > 0 || known[k] > 0) continue;
+    ++pieces;
+    particles += components.particles[k];
+    if (components.particles[k] == 1) ++single;
+    if (components.particles[k] > 1 && pieces - static_cast<int>(single) <= most_named)
+      found.sentences.push_back(
+          fmt::format("a piece of {} particles, the first of them {}, has lost all support and is held where it is",
+                      components.particles[k], components.first[k]));
+  }
+  if (pieces - static_cast<int>(single) > most_named)
+    found.sentences.push_back(fmt::format("{} loose pieces in all", pieces - static_cast<int>(single)));
+  if (single > 0)
+    found.sentences.push_back(
+        fmt::format("{} single particles have lost all their bonds and are held where they are", single));
+  if (pieces == 0) return found;
+  for (LocalIndex i = 0; i < scene.owned(); ++i) {
+    const auto k = static_cast<std::size_t>(components.of[i]);
+    found.loose[i] = touched[k] > 0 || known[k] > 0 ? 0 : 1;
+  }
+  return found;
+}
+
+}  // namespace perinox::solve
