@@ -51,7 +51,9 @@ void BondBreaking::find_points(const mechanics::Committed& state) {
   body.halo.update_ghosts(failure_.data(), 1);
 }
 
-/// (t_i + t_j) e/2 with t = omega (radial xi + shear e + xi N . H), the quadrature's share in omega.
+/// What the stored energy loses when the bond goes and nothing moves, to first order in its share of the family:
+/// t e - omega shear e^2/2 at either end, t = omega (radial xi + shear e + xi N . H), the quadrature's share in omega.
+/// Half of t e would leave out that the dilatation goes with it.
 double BondBreaking::energy(LocalIndex lower, LocalIndex upper, double length, double weight, double extension) const {
   const int d = scene_.dimension(), n = bonds::mandel_size(d);
   double direction[3] = {};
@@ -61,11 +63,11 @@ double BondBreaking::energy(LocalIndex lower, LocalIndex upper, double length, d
   double sum = 0;
   for (const LocalIndex i : {lower, upper}) {
     const double* point = &points_[point_size(d) * static_cast<std::size_t>(i)];
-    double t = point[0] * length + point[1] * extension;
+    double t = point[0] * length + point[1] * extension / 2;
     for (int k = 0; k < n; ++k) t += basis[static_cast<std::size_t>(k)] * point[2 + k];
     sum += t;
   }
-  return weight * sum * extension / 2;
+  return weight * sum * extension;
 }
 
 double BondBreaking::ratio(LocalIndex lower, LocalIndex upper, double length, double weight,
