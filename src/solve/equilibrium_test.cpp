@@ -4,14 +4,13 @@
 #include <NOX_Thyra.H>
 
 #include <NOX_SolverStats.hpp>
-#include <algorithm>
 #include <cmath>
+
+#include "perinox/solve/convergence.hpp"
 
 namespace perinox::solve {
 
 namespace {
-
-constexpr double tightest = 1e-8;
 
 /// The owned unknowns of one of NOX's vectors.
 std::vector<double> values_of(const NOX::Abstract::Vector& x) {
@@ -43,29 +42,13 @@ NOX::StatusTest::StatusType EquilibriumTest::checkStatus(const NOX::Solver::Gene
   const double before = last_.residual;
   last_ = describe(solver);
   observer_.newton_iteration(last_);
-  // The next update would be about as much smaller than this one as the residual has become.
-  const double contraction = iteration > 0 && before > 0 ? std::min(1.0, last_.residual / before) : 1;
-  const bool small = last_.relative_residual <= settings_.newton.tolerance &&
-                     (iteration == 0 || contraction * last_.relative_update <= settings_.newton.update_tolerance);
-  status_ = !finite_                                             ? NOX::StatusTest::Failed
-            : small || last_.residual <= model_.rounding_floor() ? NOX::StatusTest::Converged
-            : iteration >= settings_.newton.max_iterations       ? NOX::StatusTest::Failed
-                                                                 : NOX::StatusTest::Unconverged;
-  if (settings_.newton.forcing == deck::Forcing::eisenstat_walker) linear_.set("Tolerance", next_forcing(before));
+  status_ = !finite_                                                              ? NOX::StatusTest::Failed
+            : converged(settings_.newton, last_, before, model_.rounding_floor()) ? NOX::StatusTest::Converged
+            : iteration >= settings_.newton.max_iterations                        ? NOX::StatusTest::Failed
+                                                                                  : NOX::StatusTest::Unconverged;
+  if (settings_.newton.forcing == deck::Forcing::eisenstat_walker)
+    linear_.set("Tolerance", next_forcing(settings_, last_, before));
   return status_;
-}
-
-double EquilibriumTest::next_forcing(double before) const {
-  const double loosest = settings_.linear.tolerance;
-  double forcing = loosest;
-  if (last_.iteration > 0 && before > 0) {
-    // Eisenstat and Walker's choice 2: as much progress as Newton has just made.
-    const double progress = last_.residual / before;
-    forcing = std::min(loosest, 0.9 * std::pow(progress, 1.5));
-  }
-  // Never more than what convergence still needs: the last linear solve of a step is the dearest.
-  const double needed = 0.3 * settings_.newton.tolerance / last_.relative_residual;
-  return std::min(loosest, std::max({forcing, needed, tightest}));
 }
 
 NewtonIteration EquilibriumTest::describe(const NOX::Solver::Generic& solver) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "perinox/core/error.hpp"
+#include "perinox/solve/arc_length.hpp"
 
 namespace perinox::solve {
 
@@ -14,46 +15,19 @@ namespace {
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 }  // namespace
 
-/// Where the run is on the load axis. Whole steps end at t = end * k/count exactly; a cut step never passes such a t.
-struct LoadStepper::Clock {
-  explicit Clock(const deck::Steps& steps) : steps_(steps), size_(whole()) {}
-
-  double whole() const { return steps_.count > 0 ? steps_.end / steps_.count : 0; }
-  bool finished() const { return done_ >= steps_.count; }
-  /// End of the step to try next from `t`.
-  double next(double t) const {
-    const double target = steps_.end * (done_ + 1) / steps_.count;
-    // A remainder shorter than a thousandth of the step joins it.
-    return t + size_ * 1.001 >= target ? target : t + size_;
-  }
-  void accept(double t) {
-    if (t >= steps_.end * (done_ + 1) / steps_.count) ++done_;
-    if (cuts_ == 0) return;
-    --cuts_;
-    size_ *= 2;
-  }
-  /// False if the step may not be cut again.
-  bool cut() {
-    if (!steps_.adaptive || cuts_ >= steps_.max_cuts) return false;
-    ++cuts_;
-    size_ /= 2;
-    return true;
-  }
-
- private:
-  const deck::Steps& steps_;
-  double size_;
-  int done_ = 0;
-  int cuts_ = 0;
-};
+std::unique_ptr<StepControl> LoadStepper::make_control() {
+  if (deck_.steps.control == deck::Control::arc_length)
+    return std::make_unique<ArcLength>(deck_, scene_, boundary_, newton_);
+  return std::make_unique<LoadSteps>(deck_, scene_, boundary_, newton_);
+}
 
 LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
     : deck_(deck),
       scene_(scene),
       boundary_(deck, scene),
       newton_(deck, scene, boundary_),
+      control_(make_control()),
       committed_(scene),
-      previous_displacement_(scene.owned_unknowns(), 0.0),
       force_(scene.owned_unknowns(), 0.0),
       external_(scene.owned_unknowns(), 0.0),
       dilatation_(static_cast<std::size_t>(scene.owned()), 0.0),
@@ -76,34 +50,34 @@ LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
 }
 
 void LoadStepper::run(Observer& observer) {
-  Clock clock(deck_.steps);
   const Communicator& ranks = scene_.body().communicator;
   const double begin = now();
   double step_begin = begin;
   ProfileReading told = ranks.profile().read();  // at the last record
-  while (!clock.finished()) {
-    const double t = clock.next(committed_.t());
+  while (!control_->finished()) {
     mechanics::Trial trial;
     std::vector<double> force;
-    NewtonResult result = newton_.solve(committed_, t, step_ + 1, first_guess(t), observer, trial, force);
+    NewtonResult result = control_->attempt(committed_, step_ + 1, observer, trial, force);
     if (!result.converged) {
-      observer.step_rejected(committed_.t(), t, result.reason);
-      if (!clock.cut()) stop(observer, t, result);
+      const double tried = control_->tried();
+      observer.step_rejected(committed_.t(), tried, result.reason);
+      if (!control_->cut()) stop(observer, tried, result);
       continue;
     }
     if (converged_) converged_(committed_, trial);
     ++step_;
-    clock.accept(t);
+    control_->accept(committed_, trial);
     commit(std::move(trial), std::move(force));
     if (breaking_) {
       const std::string reason = break_bonds(observer, result);
       if (!reason.empty()) lost_equilibrium(observer, reason);
+      if (passes_ > 0) control_->jumped();
     }
     last_result_ = result;
-    const bool last = clock.finished();
+    const bool last = control_->finished();
     StepRecord row = record(result, last || step_ % deck_.output.every == 0);
     row.seconds = now() - step_begin;
-    row.remaining_seconds = (now() - begin) * (deck_.steps.end - t) / t;
+    row.remaining_seconds = (now() - begin) * (1 / control_->share() - 1);
     row.last = last;
     const ProfileReading reading = ranks.profile().read();
     row.profile = ranks.slowest(reading - told);
@@ -130,24 +104,6 @@ void LoadStepper::stop(Observer& observer, double t, const NewtonResult& result)
       deck_.steps.adaptive ? " at its smallest size" : " and steps.adaptive is false", result.reason));
 }
 
-std::vector<double> LoadStepper::first_guess(double t) const {
-  if (!has_previous_) return {};
-  // The last increment again, in proportion: nearly right wherever the loading goes on as before.
-  const double ratio = (t - committed_.t()) / (committed_.t() - previous_t_);
-  std::vector<double> guess(scene_.owned_unknowns());
-  for (std::size_t u = 0; u < guess.size(); ++u)
-    guess[u] = committed_.displacement()[u] + ratio * (committed_.displacement()[u] - previous_displacement_[u]);
-  hold_loose(guess);
-  return guess;
-}
-
-void LoadStepper::hold_loose(std::vector<double>& displacement) const {
-  const int d = scene_.dimension();
-  const std::vector<char>& loose = boundary_.loose();
-  for (std::size_t i = 0; i < loose.size(); ++i)
-    if (loose[i]) std::copy_n(&committed_.displacement()[i * d], d, &displacement[i * d]);
-}
-
 void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) {
   std::vector<double> external(scene_.owned_unknowns());
   boundary_.external_force(trial.t, external.data());
@@ -164,11 +120,6 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) 
   energies_.stored = sums[1];
   energies_.dissipated += sums[2];
 
-  previous_t_ = committed_.t();
-  std::copy(committed_.displacement().begin(),
-            committed_.displacement().begin() + static_cast<std::ptrdiff_t>(previous_displacement_.size()),
-            previous_displacement_.begin());
-  has_previous_ = true;
   dilatation_ = std::move(trial.dilatation);
   stored_energy_ = std::move(trial.stored_energy);
   committed_.advance(scene_, std::move(trial));

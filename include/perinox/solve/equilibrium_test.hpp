@@ -29,8 +29,6 @@ class EquilibriumTest : public NOX::StatusTest::Generic {
 
  private:
   NewtonIteration describe(const NOX::Solver::Generic& solver);
-  /// Tolerance of the linear solve that follows; `before`: residual of the iterate before the last.
-  double next_forcing(double before) const;
 
   const EquilibriumModel& model_;
   const mechanics::Committed& committed_;

@@ -11,6 +11,7 @@
 #include "perinox/solve/boundary.hpp"
 #include "perinox/solve/newton.hpp"
 #include "perinox/solve/record.hpp"
+#include "perinox/solve/step_control.hpp"
 
 namespace perinox::solve {
 
@@ -23,8 +24,8 @@ struct Energies {
   double relaxed = 0;        ///< lost between breaking and the next equilibrium
 };
 
-/// Drives a scene from t = 0 to steps.end. The only place where a trial state becomes the committed one: after
-/// convergence. A failed step is halved, and grown again after a success.
+/// Drives a scene from t = 0 to its end, in load steps or along an arc (step_control.hpp). The only place where a trial
+/// state becomes the committed one: after convergence. A failed step is halved, and grown again after a success.
 class LoadStepper {
  public:
   /// Collective. Throws InputError for a scene that cannot be run.
@@ -46,8 +47,7 @@ class LoadStepper {
   const std::vector<double>& force() const { return force_; }
 
  private:
-  struct Clock;
-  std::vector<double> first_guess(double t) const;
+  std::unique_ptr<StepControl> make_control();
   void commit(mechanics::Trial&& trial, std::vector<double>&& force);
   /// written: the fields that cost something are made too.
   StepRecord record(const NewtonResult& result, bool written);
@@ -58,7 +58,6 @@ class LoadStepper {
   bool let_loose_go(Observer& observer);
   /// Tells the observer and throws RunError with the reason.
   [[noreturn]] void lost_equilibrium(Observer& observer, const std::string& reason);
-  void hold_loose(std::vector<double>& displacement) const;
   [[noreturn]] void stop(Observer& observer, double t, const NewtonResult& result);
   std::vector<double> history() const;
   double entry_value(const deck::HistoryEntry& entry) const;
@@ -69,12 +68,8 @@ class LoadStepper {
   Boundary boundary_;
   Newton newton_;
   std::unique_ptr<BondBreaking> breaking_;  ///< where bonds can break
+  std::unique_ptr<StepControl> control_;
   mechanics::Committed committed_;
-  // The committed step before, for extrapolation.
-  double previous_t_ = 0;
-  std::vector<double> previous_displacement_;
-  bool has_previous_ = false;
-
   Energies energies_;
   std::vector<double> force_, external_, dilatation_, stored_energy_;
   Converged converged_;

@@ -1,0 +1,63 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "perinox/deck/deck.hpp"
+#include "perinox/solve/newton.hpp"
+
+namespace perinox::solve {
+
+/// Where the next step goes, how long it is, and when the run is over. Collective.
+class StepControl {
+ public:
+  virtual ~StepControl() = default;
+  virtual bool finished() const = 0;
+  /// Solves the next step from the committed state; arguments as in Newton::solve.
+  virtual NewtonResult attempt(const mechanics::Committed& committed, int step, Observer& observer,
+                               mechanics::Trial& trial, std::vector<double>& force) = 0;
+  /// t that the last attempt went to.
+  virtual double tried() const = 0;
+  /// The attempt was good; `trial` is about to be committed.
+  virtual void accept(const mechanics::Committed& committed, const mechanics::Trial& trial) = 0;
+  /// Bonds have broken since the last accept(), and the committed state is another: the last increment says nothing.
+  virtual void jumped() {}
+  /// The attempt failed. False if the step may not be made shorter.
+  virtual bool cut() = 0;
+  /// Share of the run that is done, for an estimate of the time left: above 0, at most 1.
+  virtual double share() const = 0;
+};
+
+/// steps.control: load. Whole steps end at t = end * k/count exactly; a cut step never passes such a t.
+class LoadSteps : public StepControl {
+ public:
+  LoadSteps(const deck::Deck& deck, const mechanics::Scene& scene, const Boundary& boundary, Newton& newton);
+
+  bool finished() const override { return done_ >= steps_.count; }
+  NewtonResult attempt(const mechanics::Committed& committed, int step, Observer& observer, mechanics::Trial& trial,
+                       std::vector<double>& force) override;
+  double tried() const override { return tried_; }
+  void accept(const mechanics::Committed& committed, const mechanics::Trial& trial) override;
+  void jumped() override { has_previous_ = false; }
+  bool cut() override;
+  double share() const override { return tried_ / steps_.end; }
+
+ private:
+  double whole_end() const { return steps_.end * (done_ + 1) / steps_.count; }
+  double next(double t) const;
+  std::vector<double> first_guess(const mechanics::Committed& committed, double t) const;
+
+  const deck::Steps& steps_;
+  const mechanics::Scene& scene_;
+  const Boundary& boundary_;
+  Newton& newton_;
+  double size_;
+  int done_ = 0;
+  int cuts_ = 0;
+  double tried_ = 0;
+  // The committed step before, for extrapolation.
+  double previous_t_ = 0;
+  std::vector<double> previous_displacement_;
+  bool has_previous_ = false;
+};
+
+}  // namespace perinox::solve

@@ -1,0 +1,34 @@
+#include "perinox/solve/convergence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace perinox::solve {
+
+namespace {
+constexpr double tightest = 1e-8;
+}
+
+bool converged(const deck::Newton& settings, const NewtonIteration& last, double before, double floor) {
+  // The next update would be about as much smaller than this one as the residual has become.
+  const double contraction = last.iteration > 0 && before > 0 ? std::min(1.0, last.residual / before) : 1;
+  const bool small = last.relative_residual <= settings.tolerance &&
+                     (last.iteration == 0 || contraction * last.relative_update <= settings.update_tolerance);
+  return small || last.residual <= floor;
+}
+
+double next_forcing(const deck::Solver& settings, const NewtonIteration& last, double before) {
+  const double loosest = settings.linear.tolerance;
+  if (settings.newton.forcing == deck::Forcing::constant) return loosest;
+  double forcing = loosest;
+  if (last.iteration > 0 && before > 0) {
+    // Eisenstat and Walker's choice 2: as much progress as Newton has just made.
+    const double progress = last.residual / before;
+    forcing = std::min(loosest, 0.9 * std::pow(progress, 1.5));
+  }
+  // Never more than what convergence still needs: the last linear solve of a step is the dearest.
+  const double needed = 0.3 * settings.newton.tolerance / last.relative_residual;
+  return std::min(loosest, std::max({forcing, needed, tightest}));
+}
+
+}  // namespace perinox::solve
