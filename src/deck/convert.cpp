@@ -227,6 +227,7 @@ Deck convert(Value checked, const std::string& file) {
   deck.resolved = std::move(checked);
   check_references(deck);
   refuse_unfit_dynamics(deck);
+  refuse_unfit_arc_length(deck);
   return deck;
 }
 

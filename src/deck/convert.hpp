@@ -27,6 +27,8 @@ HandOver convert_hand_over(const Value& value);
 ArcLength convert_arc_length(const Value& value, Dimension dimension);
 /// What dynamics needs and what only it has. Throws InputError at the key's place.
 void refuse_unfit_dynamics(const Deck& deck);
+/// Arc-length control of a deck in which nothing depends on t. Throws InputError at the key's place.
+void refuse_unfit_arc_length(const Deck& deck);
 
 /// Names and references between the deck's parts. Throws InputError at the place of the name.
 void check_references(const Deck& deck);

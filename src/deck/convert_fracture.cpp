@@ -100,6 +100,18 @@ ArcLength convert_arc_length(const Value& value, Dimension dimension) {
   return arc;
 }
 
+void refuse_unfit_arc_length(const Deck& deck) {
+  if (deck.steps.control != Control::arc_length) return;
+  for (const Load& load : deck.boundary) {
+    if (load.table) return;
+    for (const auto& component : load.component)
+      if (component && component->uses_time()) return;
+  }
+  refuse(deck.resolved.at("steps").at("control").location(),
+         "arc-length follows the load parameter t, but nothing in boundary depends on it; write a force or a "
+         "displacement as a formula of t");
+}
+
 void refuse_unfit_dynamics(const Deck& deck) {
   const bool moving = deck.dynamics == Dynamics::explicit_;
   for (const Load& load : deck.boundary)

@@ -141,19 +141,22 @@ Key declare_hand_over() {
 }
 
 Key declare_arc_length() {
-  Key growth = positive_key("largest_growth", "-", "Largest arc over the arc of the first step.");
+  Key growth = positive_key("largest_growth", "-", "Largest arc over that of the first step.");
   growth.fallback = "4";
-  Key until = map_key("until", "Ends the run when a set's mean displacement has come this far.",
-                      {required(text_key("set", "A set's or body's name, or all.")),
-                       required(word_key("component", words::component, "", "Direction.")),
-                       required(number_key("displacement", "length", "Mean displacement, its sign included."))});
+  Key until =
+      map_key("until", "Ends the run where a set's mean displacement has come this far; the last step lands there.",
+              {required(text_key("set", "A set's or body's name, or all.")),
+               required(word_key("component", words::component, "", "Direction.")),
+               required(number_key("displacement", "length", "Mean displacement, its sign included."))});
   Key key = map_key(
       "arc_length",
-      "Of steps.control: arc-length. The first step goes to t = steps.end/steps.count; the run ends at steps.end, at "
-      "`until`, or with the last step.",
+      "Of steps.control: arc-length. The first step goes to t = steps.end/steps.count and its displacement is the unit "
+      "of "
+      "the arc; the run ends at steps.end, at `until`, or with the last step.",
       {integer_key("max_steps", 1, 1e9, "1000", "Most steps."),
        integer_key("wanted_iterations", 1, 100, "5",
-                   "Newton iterations a step; with fewer the arc grows, with more it shrinks."),
+                   "Newton iterations a step; with fewer the arc grows, with more it shrinks, and with more than twice "
+                   "as many it is halved and the step done again."),
        growth, until});
   key.fallback = "{}";
   key.example = "arc_length: {max_steps: 200, until: {set: head, component: y, displacement: -2.5}}";

@@ -25,13 +25,14 @@ constexpr double header_room = 64 * 1024;  ///< bytes for HDF5's own bookkeeping
 }  // namespace
 
 ResultsFile::ResultsFile(std::string directory, const std::string& title, const std::vector<std::string>& block_names,
-                         const body::Body& body)
+                         const body::Body& body, bool steps_as_time)
     : directory_(std::move(directory)),
       path_(directory_ + "/results.h5"),
       communicator_(body.communicator),
       dimension_(body.dimension),
       order_(communicator_, body.id, body.owned, body.total),
-      index_(title, "results.h5", body.total) {
+      index_(title, "results.h5", body.total),
+      steps_as_time_(steps_as_time) {
   require_room(6.0 * static_cast<double>(body.total));
   const GlobalId n = order_.total();
   const GlobalId first = order_.first_row();
@@ -83,7 +84,7 @@ void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve
 
   std::string sentence;
   if (communicator_.is_root()) {
-    index_.add_step(record.step, record.t, shapes);
+    index_.add_step(record.step, steps_as_time_ ? record.step : record.t, shapes);
     sentence = replace_file(directory_ + "/results.xdmf", index_.text());
   }
   agree_on_run_error(communicator_, sentence);

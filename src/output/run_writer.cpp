@@ -91,7 +91,8 @@ RunWriter::RunWriter(const deck::Deck& deck, const body::Body& body, std::string
   }
   agree_on_run_error(files.communicator, failure);
   files.agree_on_tables();
-  files.results.emplace(files.directory, deck.title, block_names(deck), body);
+  files.results.emplace(files.directory, deck.title, block_names(deck), body,
+                        deck.steps.control == deck::Control::arc_length);
 }
 
 RunWriter::~RunWriter() = default;

@@ -10,10 +10,30 @@
 namespace perinox::solve {
 
 namespace {
-/// Weight of t in the length of a step: none (cylindrical). Measured in docs/arc_length.md.
-constexpr double load_weight = 0;
 /// Residual over reactions up to which the last increment is taken for a first guess.
 constexpr double good_guess = 0.1;
+/// A step that takes more than this times the wanted iterations fails: from so far away it may have come to another
+/// branch of the path.
+constexpr int slow = 2;
+
+/// True if some external force or prescribed displacement of this rank is another at t than at 0.
+bool changes(const Boundary& boundary, std::size_t unknowns, double t) {
+  std::vector<double> before(unknowns, 0.0), after(unknowns, 0.0);
+  boundary.external_force(0, before.data());
+  boundary.external_force(t, after.data());
+  if (before != after) return true;
+  boundary.impose(0, before.data());
+  boundary.impose(t, after.data());
+  return before != after;
+}
+
+PathPoint along(const PathPoint& origin, double factor, const PathPoint& direction) {
+  PathPoint point = origin;
+  for (std::size_t u = 0; u < point.displacement.size(); ++u)
+    point.displacement[u] += factor * direction.displacement[u];
+  point.t += factor * direction.t;
+  return point;
+}
 }  // namespace
 
 ArcLength::ArcLength(const deck::Deck& deck, const mechanics::Scene& scene, const Boundary& boundary, Newton& newton)
@@ -25,11 +45,17 @@ ArcLength::ArcLength(const deck::Deck& deck, const mechanics::Scene& scene, cons
       first_load_(deck.steps.end / deck.steps.count) {
   const Communicator& ranks = scene.body().communicator;
   norm_.ranks = &ranks;
-  norm_.load_weight = load_weight;
   if (boundary.free_count() == 0)
-    deck::refuse(settings_.location,
+    deck::refuse(deck.resolved.at("steps").at("control").location(),
                  "steps.control is arc-length, but every displacement is prescribed and there is no path to follow; "
                  "use steps.control: load");
+  // Both ends of the run: a load may begin late.
+  const bool moves = changes(boundary, scene.owned_unknowns(), first_load_) ||
+                     changes(boundary, scene.owned_unknowns(), deck.steps.end);
+  if (!ranks.any(moves))
+    deck::refuse(deck.resolved.at("steps").at("control").location(),
+                 "steps.control is arc-length, but no force and no prescribed displacement of boundary changes with t; "
+                 "write one as a formula of t");
   if (settings_.until)
     until_.emplace(ranks, scene.body().sets.at(settings_.until->set), scene.dimension(), settings_.until->component,
                    settings_.until->displacement);
@@ -39,16 +65,6 @@ PathPoint ArcLength::committed_point(const mechanics::Committed& committed) cons
   const auto begin = committed.displacement().begin();
   return {{begin, begin + static_cast<std::ptrdiff_t>(scene_.owned_unknowns())}, committed.t()};
 }
-
-namespace {
-PathPoint along(const PathPoint& origin, double factor, const PathPoint& direction) {
-  PathPoint point = origin;
-  for (std::size_t u = 0; u < point.displacement.size(); ++u)
-    point.displacement[u] += factor * direction.displacement[u];
-  point.t += factor * direction.t;
-  return point;
-}
-}  // namespace
 
 NewtonResult ArcLength::predict(const mechanics::Committed& committed, const PathPoint& origin, PathPoint& guess) {
   guess = along(origin, arc_ / norm_.of(last_increment_), last_increment_);
@@ -88,13 +104,19 @@ NewtonResult ArcLength::attempt(const mechanics::Committed& committed, int step,
   const PathPoint origin = committed_point(committed);
   PathPoint point = origin;
   NewtonResult result;
+  const int most = std::min(deck_.solver.newton.max_iterations, slow * settings_.wanted_iterations);
   const auto solve = [&](const PathConstraint& constraint) {
-    const NewtonResult one = bordered_.solve(committed, point, constraint, step, observer, trial, force);
+    const NewtonResult one = bordered_.solve(committed, point, constraint, most, step, observer, trial, force);
     result.converged = one.converged;
     result.reason = one.reason;
     result.newton_iterations += one.newton_iterations;
     result.linear_iterations += one.linear_iterations;
     tried_ = point.t;
+    if (bordered_.indefinite() == indefinite_) return;
+    indefinite_ = bordered_.indefinite();
+    observer.note(fmt::format("step {}, t = {:.6g}: {}", step, tried_,
+                              indefinite_ ? "the tangent is not positive definite; GMRES takes over"
+                                          : "conjugate gradients take over again"));
   };
   if (arc_ == 0) {
     tried_ = first_load_;
@@ -141,12 +163,10 @@ void ArcLength::accept(const mechanics::Committed&, const mechanics::Trial& tria
   ended_ = landed_;
   if (until_) reached_ = until_->mean(trial.displacement);
   if (arc_ == 0) {
-    norm_.length = 1;
-    norm_.load = std::abs(increment_.t);
     norm_.length = norm_.of(increment_);
-    arc_ = norm_.of(increment_);
-    longest_ = arc_ * settings_.largest_growth * std::pow(2, cuts_);
-    shortest_ = arc_ * std::pow(0.5, deck_.steps.max_cuts - cuts_);
+    arc_ = 1;
+    longest_ = settings_.largest_growth * std::pow(2, cuts_);
+    shortest_ = std::pow(0.5, deck_.steps.max_cuts - cuts_);
   }
   last_increment_ = std::move(increment_);
   if (!deck_.steps.adaptive) return;

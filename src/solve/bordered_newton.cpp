@@ -72,6 +72,7 @@ BorderedNewton::BorderedNewton(const deck::Deck& deck, const mechanics::Scene& s
                                TangentSystem& system)
     : parts_(std::make_unique<Parts>(deck, scene, boundary, system)) {}
 BorderedNewton::~BorderedNewton() = default;
+bool BorderedNewton::indefinite() const { return parts_->indefinite; }
 
 double BorderedNewton::Parts::dot(const std::vector<double>& a, const std::vector<double>& b) const {
   double sum = 0;
@@ -249,7 +250,7 @@ double BorderedNewton::Parts::advance(const mechanics::Committed& committed, con
 }
 
 NewtonResult BorderedNewton::solve(const mechanics::Committed& committed, PathPoint& point,
-                                   const PathConstraint& constraint, int step, Observer& observer,
+                                   const PathConstraint& constraint, int most_iterations, int step, Observer& observer,
                                    mechanics::Trial& trial, std::vector<double>& force) {
   Parts& p = *parts_;
   if (p.stiffening) p.indefinite = false;  // conjugate gradients are worth another try
@@ -273,7 +274,7 @@ NewtonResult BorderedNewton::solve(const mechanics::Committed& committed, PathPo
     if (std::abs(constraint.value(point)) <= constraint.tolerance() &&
         converged(p.deck.solver.newton, row, before, p.model->rounding_floor()))
       break;
-    if (row.iteration >= p.deck.solver.newton.max_iterations) {
+    if (row.iteration >= most_iterations) {
       result.reason = fmt::format("Newton did not converge in {} iterations (relative residual {:.2e})", row.iteration,
                                   row.relative_residual);
       return result;

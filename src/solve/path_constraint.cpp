@@ -7,7 +7,7 @@ namespace perinox::solve {
 double PathNorm::product(const PathPoint& a, const PathPoint& b) const {
   double dot = 0;
   for (std::size_t u = 0; u < a.displacement.size(); ++u) dot += a.displacement[u] * b.displacement[u];
-  return ranks->sum(dot) / (length * length) + load_weight * (a.t * b.t) / (load * load);
+  return ranks->sum(dot) / (length * length);
 }
 
 double PathNorm::of(const PathPoint& a) const { return std::sqrt(product(a, a)); }

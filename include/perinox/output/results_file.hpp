@@ -15,9 +15,10 @@ namespace perinox::output {
 class ResultsFile {
  public:
   /// Creates the file (replacing one of that name) with the group /particles. block_names: of the deck's bodies, in the
-  /// order that body.part counts. Collective. Throws RunError: path and reason.
+  /// order that body.part counts. steps_as_time: the time of results.xdmf is the number of the step, for a run in which t
+  /// turns back. Collective. Throws RunError: path and reason.
   ResultsFile(std::string directory, const std::string& title, const std::vector<std::string>& block_names,
-              const body::Body& body);
+              const body::Body& body, bool steps_as_time = false);
 
   /// Group /steps/<record.step> with the attributes t, load (the same number), newton_iterations, linear_iterations and
   /// one dataset a field: [n, 3] for vectors (2-D: third column zero), [n] for scalars. Collective. Throws RunError if
@@ -36,6 +37,7 @@ class ResultsFile {
   int dimension_ = 3;
   RowOrder order_;
   XdmfIndex index_;
+  bool steps_as_time_;
 };
 
 }  // namespace perinox::output

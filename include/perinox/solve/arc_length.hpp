@@ -50,6 +50,7 @@ class ArcLength : public StepControl {
   double reached_ = 0;   ///< mean displacement of the set of `until`
   bool landed_ = false;  ///< the last attempt ends the run
   bool ended_ = false;
+  bool indefinite_ = false;  ///< as last noted
 };
 
 }  // namespace perinox::solve

@@ -27,10 +27,14 @@ class BorderedNewton {
   /// Residual over reactions at `point`, where infinity stands for one that is not finite.
   double relative_residual(const mechanics::Committed& committed, const PathPoint& point);
 
+  /// True while GMRES stands in for conjugate gradients.
+  bool indefinite() const;
+
   /// Solves for equilibrium and the constraint, starting at `point`, where it also ends. `step` only labels the
   /// records. On convergence `trial` is the state to commit and `force` [owned * dimension] its internal force.
   NewtonResult solve(const mechanics::Committed& committed, PathPoint& point, const PathConstraint& constraint,
-                     int step, Observer& observer, mechanics::Trial& trial, std::vector<double>& force);
+                     int most_iterations, int step, Observer& observer, mechanics::Trial& trial,
+                     std::vector<double>& force);
 
  private:
   struct Parts;

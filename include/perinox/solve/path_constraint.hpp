@@ -13,12 +13,11 @@ struct PathPoint {
   double t = 0;                      ///< load parameter
 };
 
-/// How far apart two points of the path are: (du.du)/length^2 + load_weight (dt/load)^2, over all ranks. Collective.
+/// Length of a step along the path: that of its displacements, du.du/length^2 over all ranks. t does not count: its
+/// share was measured and brought nothing (docs/arc_length.md). Collective.
 struct PathNorm {
   const Communicator* ranks = nullptr;
   double length = 1;  ///< 2-norm of displacement that counts as one
-  double load = 1;    ///< change of t that counts as one
-  double load_weight = 0;
 
   double product(const PathPoint& a, const PathPoint& b) const;
   double of(const PathPoint& a) const;
