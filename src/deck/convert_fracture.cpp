@@ -102,6 +102,12 @@ ArcLength convert_arc_length(const Value& value, Dimension dimension) {
 
 void refuse_unfit_arc_length(const Deck& deck) {
   if (deck.steps.control != Control::arc_length) return;
+  for (const Material& material : deck.materials)
+    if (material.damage)
+      refuse(
+          material.damage->location,
+          "arc-length control follows a body whose bonds hold: between two passes of bond breaking there is no path to "
+          "follow; remove damage, or use steps.control: load");
   for (const Load& load : deck.boundary) {
     if (load.table) return;
     for (const auto& component : load.component)

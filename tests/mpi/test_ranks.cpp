@@ -76,6 +76,16 @@ TEST(Ranks, RingUnderPressure) {
   compare(deck, "ring under pressure");
 }
 
+TEST(Ranks, ArchAlongTheArc) {
+  deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/shallow_arch.yaml", app::full_schema());
+  compare(deck, "shallow arch along the arc");
+}
+
+TEST(Ranks, NotchedBarAtItsLimitLoad) {
+  deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/notched_bar_limit.yaml", app::full_schema());
+  compare(deck, "notched bar along the arc");
+}
+
 TEST(Ranks, MoreRanksThanParticles) {
   const char* three = R"(
 dimension: 3

@@ -63,7 +63,7 @@ struct RunResult {
 
 inline RunResult run_deck(const deck::Deck& deck, MPI_Comm comm = MPI_COMM_SELF) {
   const Communicator ranks(comm);
-  const mechanics::Scene scene = mechanics::build_scene(deck, ranks);
+  mechanics::Scene scene = mechanics::build_scene(deck, ranks);
   solve::LoadStepper stepper(deck, scene);
   RunResult run;
   try {
