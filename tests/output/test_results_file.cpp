@@ -78,6 +78,16 @@ TEST_F(ResultsFileTest, IsReadableAfterEveryStepWhileTheRunGoesOn) {
   }
 }
 
+TEST_F(ResultsFileTest, TheIndexCountsStepsWhereTMayTurnBack) {
+  const body::Body body = test::shuffled_body(one_rank_, total, 3);
+  ResultsFile results(directory_.path(), "", {"block"}, body, true);
+  const auto displacement = field_values(body, 5, 3);
+  results.write(test::step_record(1, 0.75), {{"displacement", 3, displacement.data()}});
+  results.write(test::step_record(2, -0.25), {{"displacement", 3, displacement.data()}});
+  EXPECT_THAT(test::file_text(directory_ / "results.xdmf"),
+              AllOf(HasSubstr("<Time Value=\"1\"/>"), HasSubstr("<Time Value=\"2\"/>")));
+}
+
 TEST_F(ResultsFileTest, IndexIsWellFormedAndNamesOnlyDatasetsThatExist) {
   const body::Body body = test::shuffled_body(one_rank_, total, 3);
   ResultsFile results(directory_.path(), "steel & \"rubber\" <1>", {"block"}, body);
