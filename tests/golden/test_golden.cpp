@@ -78,8 +78,8 @@ TEST_P(Golden, HistoryAndIterationCounts) {
   for (std::size_t step = 0; step < rows.size(); ++step) {
     ASSERT_EQ(rows[step].size(), golden[step].size());
     EXPECT_LE(std::abs(rows[step][1] - golden[step][1]), 1) << "Newton iterations of step " << step + 1;
-    // Rounding of another compiler may move a count by one or two in a hundred; along an arc, where the tangent is nearly
-    // singular, by more: measured up to 12 in a hundred with the sweeps of other instruction sets.
+    // Rounding of another compiler may move a count by one or two in a hundred; along an arc, where the tangent is
+    // nearly singular, by more: measured up to 12 in a hundred with the sweeps of other instruction sets.
     const double slack = deck.steps.control == deck::Control::arc_length ? 1.2 : 1.03;
     EXPECT_LE(rows[step][2], golden[step][2] * slack + 2) << "linear iterations of step " << step + 1;
     // The work integrals of inexact Newton agree to the Newton tolerance, 1e-8 of the reactions.

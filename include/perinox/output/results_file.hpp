@@ -15,8 +15,8 @@ namespace perinox::output {
 class ResultsFile {
  public:
   /// Creates the file (replacing one of that name) with the group /particles. block_names: of the deck's bodies, in the
-  /// order that body.part counts. steps_as_time: the time of results.xdmf is the number of the step, for a run in which t
-  /// turns back. Collective. Throws RunError: path and reason.
+  /// order that body.part counts. steps_as_time: the time of results.xdmf is the number of the step, for a run in which
+  /// t turns back. Collective. Throws RunError: path and reason.
   ResultsFile(std::string directory, const std::string& title, const std::vector<std::string>& block_names,
               const body::Body& body, bool steps_as_time = false);
 
