@@ -56,7 +56,7 @@ inline Solution solve(const std::string& yaml, const Enough& enough = nullptr) {
     std::size_t owned = 0;
   };
   const deck::Deck deck = testing::deck_of(yaml);
-  const mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
+  mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
   solve::LoadStepper stepper(deck, scene);
   Watch watch(enough);
   watch.owned = static_cast<std::size_t>(scene.owned());

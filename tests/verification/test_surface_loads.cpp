@@ -21,7 +21,7 @@ double error_of(const std::string& what, double ratio) { return test::measured(w
 /// Of the particles at which `inside` is true, their mean.
 template <class Inside>
 Strain mean_strain(const deck::Deck& deck, Inside&& inside) {
-  const mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
+  mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
   solve::LoadStepper stepper(deck, scene);
   Recorder records;
   stepper.run(records);
