@@ -11,6 +11,7 @@
 #include "perinox/output/profile_table.hpp"
 #include "perinox/output/run_writer.hpp"
 #include "perinox/solve/load_stepper.hpp"
+#include "perinox/solve/time_stepper.hpp"
 
 namespace perinox::app {
 
@@ -18,6 +19,7 @@ namespace {
 
 /// Share of the work that may be missing without a word.
 constexpr double worth_a_warning = 0.05;
+constexpr double worth_a_warning_in_time = 0.01;
 
 /// What of the external work is neither stored nor dissipated, over the largest of the three.
 double unaccounted(const solve::Energies& e) {
@@ -25,24 +27,21 @@ double unaccounted(const solve::Energies& e) {
   return size > 0 ? (e.external_work - e.stored - e.dissipated - e.released - e.relaxed) / size : 0;
 }
 
-}  // namespace
+std::string directory_of(const Options& options) {
+  return options.output.empty()
+             ? (std::filesystem::path("results") / std::filesystem::path(options.deck).stem()).string()
+             : options.output;
+}
 
-int run(const Options& options, const Communicator& communicator) {
-  Problem problem = prepare(options, communicator);
-  const deck::Deck& deck = problem.deck;
-  mechanics::Scene& scene = problem.scene;
-  solve::LoadStepper stepper(deck, scene);
-
+/// Runs either stepper into the directory, and says where the time went, of a run that stops short too.
+template <class Stepper>
+void run_into(Stepper& stepper, const Problem& problem, const Options& options, const Communicator& communicator) {
   const bool talk = communicator.is_root() && !options.quiet;
   if (talk) fmt::print("{}", problem.report.summary);
   say_remarks(stepper.boundary(), communicator);
-
-  const std::string directory =
-      options.output.empty() ? (std::filesystem::path("results") / std::filesystem::path(options.deck).stem()).string()
-                             : options.output;
-  output::RunWriter writer(deck, scene.body(), directory, options.quiet);
+  output::RunWriter writer(problem.deck, problem.scene.body(), directory_of(options), options.quiet);
   const ProfileReading before = communicator.profile().read();
-  const auto say_times = [&] {  // of a run that stops short too
+  const auto say_times = [&] {
     const ProfileReading times = communicator.slowest(communicator.profile().read() - before);
     if (talk) fmt::print("\n{}", output::profile_table(times));
   };
@@ -53,13 +52,43 @@ int run(const Options& options, const Communicator& communicator) {
     throw;
   }
   say_times();
+}
+
+int run_in_time(const Problem& problem, const Options& options, const Communicator& communicator) {
+  solve::TimeStepper stepper(problem.deck, problem.scene);
+  const std::string remark = stepper.plan().remark;
+  if (communicator.is_root() && !remark.empty()) fmt::print(stderr, "warning: {}\n", remark);
+  run_into(stepper, problem, options, communicator);
+  const solve::MotionEnergies& e = stepper.energies();
+  const double gain = e.scale() > 0 ? e.gain() / e.scale() : 0;
+  if (communicator.is_root() && !options.quiet)
+    fmt::print(
+        "done: kinetic {:.6g}, stored {:.6g}, dissipated {:.6g}, damped {:.6g}, in contacts {:.6g}, external work "
+        "{:.6g} ({:+.1e} of the largest not accounted for, {:.1e} at worst); results in {}\n",
+        e.kinetic, e.stored, e.dissipated, e.damped, e.contact, e.external_work, -gain, stepper.worst_gain(),
+        directory_of(options));
+  if (communicator.is_root() && stepper.worst_gain() > worth_a_warning_in_time)
+    fmt::print(stderr,
+               "warning: up to {:.1f} % of the energy is not accounted for; the time steps are too long for what "
+               "happens in them: take a smaller explicit.safety or time_step\n",
+               100 * stepper.worst_gain());
+  return 0;
+}
+
+}  // namespace
+
+int run(const Options& options, const Communicator& communicator) {
+  Problem problem = prepare(options, communicator);
+  if (problem.deck.dynamics == deck::Dynamics::explicit_) return run_in_time(problem, options, communicator);
+  solve::LoadStepper stepper(problem.deck, problem.scene);
+  run_into(stepper, problem, options, communicator);
   const solve::Energies& e = stepper.energies();
   const double gap = unaccounted(e);
-  if (talk)
+  if (communicator.is_root() && !options.quiet)
     fmt::print(
         "done: stored {:.6g}, dissipated {:.6g}, external work {:.6g} ({:+.1e} of it not accounted for); results in "
         "{}\n",
-        e.stored, e.dissipated, e.external_work, gap, directory);
+        e.stored, e.dissipated, e.external_work, gap, directory_of(options));
   if (communicator.is_root() && std::abs(gap) > worth_a_warning)
     fmt::print(stderr,
                "warning: the external work is {:.1f} % {} than what is stored and dissipated; it is summed by the "

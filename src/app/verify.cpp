@@ -22,6 +22,9 @@ int verify(const Options& options, const Communicator& communicator) {
   Problem problem = prepare(options, communicator);
   const deck::Deck& deck = problem.deck;
   mechanics::Scene& scene = problem.scene;
+  if (deck.dynamics == deck::Dynamics::explicit_)
+    deck::refuse(deck.resolved.at("dynamics").location(),
+                 "verify follows a quasi-static run; give --set dynamics=quasi-static, or another deck");
   solve::LoadStepper stepper(deck, scene);
   const bool talk = communicator.is_root() && !options.quiet;
   say_remarks(stepper.boundary(), communicator);

@@ -12,8 +12,7 @@ void Evaluation::at(const Scene& scene, const Committed& committed, const double
   displacement_.resize(scene.local_unknowns());
   std::copy(displacement, displacement + scene.owned_unknowns(), displacement_.begin());
   scene.body().halo.update_ghosts(displacement_.data(), scene.dimension());
-  if (bonds_version_ != scene.bonds_version()) loops_->bonds_changed();
-  bonds_version_ = scene.bonds_version();
+  follow_bonds(scene);
   sums_.total.clear();
   if (back_stress_ && committed.plastic().chunks()) {  // a sweep more, so that the others need no sum more
     loops_->strain_sums(displacement_.data(), committed.mean().data(), PlasticExtension(), sums_);
@@ -21,6 +20,21 @@ void Evaluation::at(const Scene& scene, const Committed& committed, const double
   }
   loops_->strain_sums(displacement_.data(), committed.mean().data(), committed.plastic(), sums_);
   version_ = committed.version();
+}
+
+void Evaluation::follow_bonds(const Scene& scene) {
+  if (bonds_version_ != scene.bonds_version()) loops_->bonds_changed();
+  bonds_version_ = scene.bonds_version();
+}
+
+void Evaluation::moved(const Scene& scene, const Committed& committed, double* displacement) {
+  displacement_.clear();
+  follow_bonds(scene);
+  loops_->moving_sums(displacement, committed.mean().data(), committed.plastic(), sums_);
+  sums_.total.clear();
+  if (!back_stress_ || !committed.plastic().chunks()) return;
+  loops_->strain_sums(displacement, committed.mean().data(), PlasticExtension(), whole_);
+  sums_.total = whole_.square;
 }
 
 materials::FamilySums Evaluation::sums(const Scene& scene, const Committed& committed, LocalIndex i,

@@ -14,19 +14,33 @@ class Evaluation {
   /// Brings the sums to displacement [owned * dimension]. Collective.
   void at(const Scene& scene, const Committed& committed, const double* displacement);
 
-  /// Of the state of the last at(). fit: what the sums of a fitted particle say.
+  /// The same for a state that surely is a new one. displacement: [local * dimension], ghosts are filled here. What the
+  /// next at() is asked for will be evaluated. Collective.
+  void moved(const Scene& scene, const Committed& committed, double* displacement);
+
+  /// Of the state of the last at() or moved(). fit: what the sums of a fitted particle say.
   materials::FamilySums sums(const Scene& scene, const Committed& committed, LocalIndex i,
                              materials::StrainFit& fit) const;
   const std::vector<double>& displacement() const { return displacement_; }  ///< [local * dimension]
+
+  /// What the internal force makes of the sums, kept between evaluations: see FamilyLoops::forces.
+  struct Law {
+    std::vector<double> radial, shear, yielded;
+    std::vector<bonds::Mandel> state;
+  };
+  Law& law() { return law_; }
 
   FamilyLoops& loops() { return *loops_; }
   /// Some material has kinematic hardening.
   bool has_back_stress() const { return back_stress_; }
 
  private:
+  void follow_bonds(const Scene& scene);
+
   std::unique_ptr<FamilyLoops> loops_;
   std::vector<double> displacement_;
-  StrainSums sums_;
+  StrainSums sums_, whole_;  ///< whole_: without plastic extension, of moved() with kinematic hardening
+  Law law_;
   bool back_stress_;
   std::uint64_t version_ = 0;
   std::uint64_t bonds_version_ = 0;

@@ -94,13 +94,55 @@ FamilyLoops::FitChange FamilyLoops::change_of_fit(std::size_t m, const bonds::Ma
   return result;
 }
 
+void FamilyLoops::strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
+                              StrainSums& sums) {
+  begin_strains(shift);
+  put_displacement(displacement, 0, local_);
+  sweep_strains(Bonds::inner, plastic);
+  sweep_strains(Bonds::outer, plastic);
+  take_strains(plastic.chunks() != nullptr, sums);
+}
+
+void FamilyLoops::forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
+                         const PlasticExtension& plastic, double* force) {
+  begin_forces(radial, shear, yielded, state);
+  sweep_forces(Bonds::inner, plastic);
+  sweep_forces(Bonds::outer, plastic);
+  take_forces(0, local_, force);
+}
+
+void FamilyLoops::moving_sums(double* displacement, const double* shift, const PlasticExtension& plastic,
+                              StrainSums& sums) {
+  halo_.begin_update(displacement, d_);
+  begin_strains(shift);
+  put_displacement(displacement, 0, owned_);
+  sweep_strains(Bonds::inner, plastic);
+  halo_.end_update(displacement, d_);
+  put_displacement(displacement, owned_, local_);
+  sweep_strains(Bonds::outer, plastic);
+  take_strains(plastic.chunks() != nullptr, sums);
+}
+
+void FamilyLoops::moving_forces(const double* radial, const double* shear, const double* yielded,
+                                const bonds::Mandel* state, const PlasticExtension& plastic, double* force) {
+  begin_forces(radial, shear, yielded, state);
+  sweep_forces(Bonds::outer, plastic);
+  if (!alone()) {
+    ghosts_.resize(static_cast<std::size_t>(local_) * d_);
+    take_forces(owned_, local_, ghosts_.data());
+    halo_.begin_add(ghosts_.data(), d_);
+  }
+  sweep_forces(Bonds::inner, plastic);
+  take_forces(0, owned_, force);
+  if (!alone()) halo_.end_add(force, d_);
+}
+
 void FamilyLoops::product(const double* x, double* y) {
-  const bool alone = local_ == owned_ && halo_.neighbors() == 0;
   halo_.begin_update(x, d_);
   put_direction(x, 0, owned_);
   clear_sums();
   product_sums(Bonds::inner);
-  if (!alone) {
+  if (!alone()) {
     ghosts_.resize(static_cast<std::size_t>(local_) * d_);
     halo_.end_update(ghosts_.data(), d_);
     put_direction(ghosts_.data(), owned_, local_);
@@ -108,13 +150,13 @@ void FamilyLoops::product(const double* x, double* y) {
   product_sums(Bonds::outer);
   product_law();
   product_forces(Bonds::outer);
-  if (!alone) {
+  if (!alone()) {
     take_forces(owned_, local_, ghosts_.data());
     halo_.begin_add(ghosts_.data(), d_);
   }
   product_forces(Bonds::inner);
   take_forces(0, owned_, y);
-  if (!alone) halo_.end_add(y, d_);
+  if (!alone()) halo_.end_add(y, d_);
 }
 
 }  // namespace perinox::mechanics

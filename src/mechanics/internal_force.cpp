@@ -23,25 +23,25 @@ void prepare(const Scene& scene, const Committed& committed, Trial& trial) {
   trial.yielding = 0;
 }
 
-/// By the sweeps: sums, the materials' answers to them, forces.
-void swept_force(const Scene& scene, const Committed& committed, const double* displacement, Trial& trial,
-                 std::vector<double>& force) {
+/// The materials' answers to the sums of the last evaluation: what the sweep of the forces needs, and the trial.
+Evaluation::Law& answers(const Scene& scene, const Committed& committed, Trial& trial) {
   Evaluation& evaluation = scene.evaluation();
-  evaluation.at(scene, committed, displacement);
-  trial.displacement = evaluation.displacement();
   const auto owned = static_cast<std::size_t>(scene.owned());
-  std::vector<double> radial(owned), shear(owned), yielded(evaluation.has_back_stress() ? owned : 0);
-  std::vector<bonds::Mandel> state(scene.families().moments.size());
+  Evaluation::Law& law = evaluation.law();
+  law.radial.resize(owned);
+  law.shear.resize(owned);
+  law.yielded.resize(evaluation.has_back_stress() ? owned : 0);
+  law.state.resize(scene.families().moments.size());
   materials::StrainFit fit;
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
     const materials::PointState point =
         scene.material(i).state(evaluation.sums(scene, committed, i, fit), committed.point_history(scene, i),
                                 trial.point_history.data() + scene.point_history()[i]);
     const bonds::Moment* moment = scene.families().moment(i);
-    radial[i] = moment ? 0 : point.radial;
-    shear[i] = point.shear;
-    if (!yielded.empty()) yielded[i] = point.shear - point.back;
-    if (moment) state[static_cast<std::size_t>(scene.families().fit[i])] = force_of_fit(*moment, fit, point);
+    law.radial[i] = moment ? 0 : point.radial;
+    law.shear[i] = point.shear;
+    if (!law.yielded.empty()) law.yielded[i] = point.shear - point.back;
+    if (moment) law.state[static_cast<std::size_t>(scene.families().fit[i])] = force_of_fit(*moment, fit, point);
     trial.mean[i] = point.mean;
     if (!trial.flow.empty()) trial.flow[i] = point.flow;
     trial.dilatation[i] = point.response.dilatation;
@@ -50,8 +50,18 @@ void swept_force(const Scene& scene, const Committed& committed, const double* d
     trial.dissipated += scene.body().volume[i] * point.response.dissipation;
     trial.yielding += point.response.yielding ? 1 : 0;
   }
-  evaluation.loops().forces(radial.data(), shear.data(), yielded.empty() ? nullptr : yielded.data(), state.data(),
-                            committed.plastic(), force.data());
+  return law;
+}
+
+/// By the sweeps: sums, the materials' answers to them, forces.
+void swept_force(const Scene& scene, const Committed& committed, const double* displacement, Trial& trial,
+                 std::vector<double>& force) {
+  Evaluation& evaluation = scene.evaluation();
+  evaluation.at(scene, committed, displacement);
+  trial.displacement = evaluation.displacement();
+  const Evaluation::Law& law = answers(scene, committed, trial);
+  evaluation.loops().forces(law.radial.data(), law.shear.data(), law.yielded.empty() ? nullptr : law.yielded.data(),
+                            law.state.data(), committed.plastic(), force.data());
 }
 
 }  // namespace
@@ -89,6 +99,23 @@ void force_states(const Scene& scene, const Committed& state, double* points) {
     const bonds::Mandel along = moment ? force_of_fit(*moment, fit, point) : bonds::Mandel{};
     std::copy_n(along.begin(), n, to + 2);
   }
+}
+
+void internal_force_in_motion(const Scene& scene, const Committed& committed, Trial& trial, double* force) {
+  const Profile::Scope timed(scene.body().communicator.profile(), Section::force);
+  if (!scene.from_sums()) {
+    const std::vector<double> displacement(
+        trial.displacement.begin(), trial.displacement.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()));
+    internal_force(scene, committed, displacement.data(), trial, force);
+    return;
+  }
+  prepare(scene, committed, trial);
+  Evaluation& evaluation = scene.evaluation();
+  evaluation.moved(scene, committed, trial.displacement.data());
+  const Evaluation::Law& law = answers(scene, committed, trial);
+  evaluation.loops().moving_forces(law.radial.data(), law.shear.data(),
+                                   law.yielded.empty() ? nullptr : law.yielded.data(), law.state.data(),
+                                   committed.plastic(), force);
 }
 
 std::string first_not_finite(const Scene& scene, const Trial& trial, const double* force) {

@@ -175,27 +175,32 @@ void LatticeLoops::take(const GridArrays& arrays, int array, int components, int
 
 void LatticeLoops::sweep(kernels::LatticeSweeps::Sweep run, kernels::LatticeView view) const { run(view, d_, small_); }
 
-void LatticeLoops::strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
-                               StrainSums& sums) {
+void LatticeLoops::begin_strains(const double* shift) {
   require(u_, d_, place::u);
   require(mean_, 1, place::mean);
   require(out_, strain_results(), place::out);
-  put(displacement, d_, 0, local_, u_, 0);
   put(shift, 1, 0, owned_, mean_, 0);
-  const bool flowed = plastic.chunks() != nullptr;
-  kernels::LatticeView g = view(plastic.chunks(), every);
+  for (int k = 0; k < strain_results(); ++k) out_.clear(k);
+}
+
+void LatticeLoops::put_displacement(const double* displacement, LocalIndex first, LocalIndex last) {
+  put(displacement, d_, first, last, u_, 0);
+}
+
+void LatticeLoops::sweep_strains(Bonds bonds, const PlasticExtension& plastic) {
+  kernels::LatticeView g = view(plastic.chunks(), range_of(bonds));
   for (int c = 0; c < d_; ++c) g.u[c] = u_[c];
   g.mean = mean_[0];
-  for (int k = 0; k < strain_results(); ++k) {
-    out_.clear(k);
-    g.out[k] = out_[k];
-  }
+  for (int k = 0; k < strain_results(); ++k) g.out[k] = out_[k];
   sweep(kernels::sweeps().lattice.strain_sums, g);
+}
+
+void LatticeLoops::take_strains(bool flowed, StrainSums& sums) const {
   sums.fit.resize(fitted_.size());
-  sums.plastic_fit.assign(fitted_.size(), {});
+  sums.plastic_fit.resize(fitted_.size());
   for (std::size_t m = 0; m < fitted_.size(); ++m) {
     sums.fit[m] = take_fit(m, kernels::first_fit);
-    if (flowed) sums.plastic_fit[m] = take_fit(m, kernels::first_plastic_fit);
+    sums.plastic_fit[m] = flowed ? take_fit(m, kernels::first_plastic_fit) : bonds::Mandel{};
   }
   const auto owned = static_cast<std::size_t>(owned_);
   sums.extension.resize(owned);
@@ -206,24 +211,26 @@ void LatticeLoops::strain_sums(const double* displacement, const double* shift, 
   if (flowed) take(out_, 2, 1, 0, owned_, sums.plastic.data());
 }
 
-void LatticeLoops::forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
-                          const PlasticExtension& plastic, double* force) {
+void LatticeLoops::begin_forces(const double* radial, const double* shear, const double* yielded,
+                                const bonds::Mandel* state) {
   require(law_, 2, place::law);
   put_yielded(yielded);
   put_fits(state, state_, place::state);
   put(radial, 1, 0, owned_, law_, 0);
   put(shear, 1, 0, owned_, law_, 1);
-  kernels::LatticeView g = view(plastic.chunks(), every);
+  for (int c = 0; c < d_; ++c) out_.clear(c);
+}
+
+void LatticeLoops::sweep_forces(Bonds bonds, const PlasticExtension& plastic) {
+  kernels::LatticeView g = view(plastic.chunks(), range_of(bonds));
   for (int c = 0; c < d_; ++c) {
     g.u[c] = u_[c];
-    out_.clear(c);
     g.out[c] = out_[c];
   }
   g.law[kernels::radial] = law_[0];
   g.law[kernels::shear] = law_[1];
   g.law[kernels::along] = yielded_.empty() ? law_[1] : yielded_[0];
   sweep(kernels::sweeps().lattice.forces, g);
-  take(out_, 0, d_, 0, local_, force);
 }
 
 void LatticeLoops::linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) {

@@ -9,10 +9,6 @@ class LatticeLoops : public FamilyLoops {
  public:
   LatticeLoops(const Scene& scene, Purpose purpose);
 
-  void strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
-                   StrainSums& sums) override;
-  void forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
-              const PlasticExtension& plastic, double* force) override;
   void linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) override;
   void diagonal_blocks(const TangentLaw& law, double* blocks) override;
   void advance(const double* displacement, const double* mean, const double* flow, PlasticExtension& plastic) override;
@@ -21,6 +17,13 @@ class LatticeLoops : public FamilyLoops {
   std::size_t bytes() const override;
 
  protected:
+  void begin_strains(const double* shift) override;
+  void put_displacement(const double* displacement, LocalIndex first, LocalIndex last) override;
+  void sweep_strains(Bonds bonds, const PlasticExtension& plastic) override;
+  void take_strains(bool flowed, StrainSums& sums) const override;
+  void begin_forces(const double* radial, const double* shear, const double* yielded,
+                    const bonds::Mandel* state) override;
+  void sweep_forces(Bonds bonds, const PlasticExtension& plastic) override;
   void put_direction(const double* x, LocalIndex first, LocalIndex last) override;
   void clear_sums() override;
   void product_sums(Bonds bonds) override;
@@ -31,6 +34,7 @@ class LatticeLoops : public FamilyLoops {
  private:
   enum Range { every, interior, boundary };
   kernels::LatticeView view(double* const* plastic, Range range) const;
+  static Range range_of(Bonds bonds) { return bonds == Bonds::inner ? interior : boundary; }
   kernels::LatticeView product_view(Bonds bonds) const;
   std::vector<char> flowing_blocks(const double* flow) const;
   void sweep(kernels::LatticeSweeps::Sweep sweep, kernels::LatticeView view) const;

@@ -118,6 +118,10 @@ kernels::PairView PairLoops::view(const std::vector<std::int32_t>& slots, double
   return view;
 }
 
+const std::vector<std::int32_t>& PairLoops::slots_of(Bonds bonds) const {
+  return bonds == Bonds::inner ? families_.interior() : families_.boundary();
+}
+
 void PairLoops::both(kernels::PairSweeps::Sweep run, kernels::PairView g) const {
   sweep(run, g);
   g.slots = families_.boundary().data();
@@ -138,47 +142,57 @@ void PairLoops::take(const Values& from, int component, int components, int firs
           from[4 * static_cast<std::size_t>(slot_[i]) + component + c];
 }
 
-void PairLoops::strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
-                            StrainSums& sums) {
+void PairLoops::begin_strains(const double* shift) {
   require(u_);
-  put(displacement, d_, 0, local_, u_, 0);
   put(shift, 1, 0, owned_, u_, 3);
   clear_results(strain_results());
-  kernels::PairView g = view(families_.interior(), plastic.chunks());
+}
+
+void PairLoops::put_displacement(const double* displacement, LocalIndex first, LocalIndex last) {
+  put(displacement, d_, first, last, u_, 0);
+}
+
+void PairLoops::sweep_strains(Bonds bonds, const PlasticExtension& plastic) {
+  kernels::PairView g = view(slots_of(bonds), plastic.chunks());
   g.place = reference_.data();
   g.u = u_.data();
   set_results(g, out_);
-  both(kernels::sweeps().pairs.strain_sums, g);
+  sweep(kernels::sweeps().pairs.strain_sums, g);
+}
+
+void PairLoops::take_strains(bool flowed, StrainSums& sums) const {
   sums.fit.resize(fitted_.size());
-  sums.plastic_fit.assign(fitted_.size(), {});
+  sums.plastic_fit.resize(fitted_.size());
   for (std::size_t m = 0; m < fitted_.size(); ++m) {
     sums.fit[m] = take_fit(m, kernels::first_fit);
-    if (plastic.chunks()) sums.plastic_fit[m] = take_fit(m, kernels::first_plastic_fit);
+    sums.plastic_fit[m] = flowed ? take_fit(m, kernels::first_plastic_fit) : bonds::Mandel{};
   }
   const auto owned = static_cast<std::size_t>(owned_);
   sums.extension.resize(owned);
   sums.square.resize(owned);
-  sums.plastic.resize(plastic.chunks() ? owned : 0);
+  sums.plastic.resize(flowed ? owned : 0);
   take(out_[0], 0, 1, 0, owned_, sums.extension.data());
   take(out_[0], 1, 1, 0, owned_, sums.square.data());
-  if (plastic.chunks()) take(out_[0], 2, 1, 0, owned_, sums.plastic.data());
+  if (flowed) take(out_[0], 2, 1, 0, owned_, sums.plastic.data());
 }
 
-void PairLoops::forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
-                       const PlasticExtension& plastic, double* force) {
+void PairLoops::begin_forces(const double* radial, const double* shear, const double* yielded,
+                             const bonds::Mandel* state) {
   require(law_);
   put_fits(state, state_);
   put(radial, 1, 0, owned_, law_, kernels::radial);
   put(shear, 1, 0, owned_, law_, kernels::shear);
   if (plastic_body_) put(yielded ? yielded : shear, 1, 0, owned_, law_, kernels::along);
   clear_results(d_);
-  kernels::PairView g = view(families_.interior(), plastic.chunks());
+}
+
+void PairLoops::sweep_forces(Bonds bonds, const PlasticExtension& plastic) {
+  kernels::PairView g = view(slots_of(bonds), plastic.chunks());
   g.place = reference_.data();
   g.u = u_.data();
   g.law = law_.data();
   set_results(g, out_);
-  both(kernels::sweeps().pairs.forces, g);
-  take(out_[0], 0, d_, 0, local_, force);
+  sweep(kernels::sweeps().pairs.forces, g);
 }
 
 void PairLoops::linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) {
@@ -227,8 +241,7 @@ std::vector<char> PairLoops::flowing_slots(const Values& values, int component) 
 }
 
 kernels::PairView PairLoops::product_view(Bonds bonds) {
-  kernels::PairView g = view(bonds == Bonds::inner ? families_.interior() : families_.boundary(),
-                             plastic_.empty() ? nullptr : plastic_.data());
+  kernels::PairView g = view(slots_of(bonds), plastic_.empty() ? nullptr : plastic_.data());
   g.place = reference_.data();
   g.u = u_.data();
   g.x = x_.data();

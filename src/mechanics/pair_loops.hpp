@@ -8,10 +8,6 @@ class PairLoops : public FamilyLoops {
  public:
   PairLoops(const Scene& scene, Purpose purpose);
 
-  void strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
-                   StrainSums& sums) override;
-  void forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
-              const PlasticExtension& plastic, double* force) override;
   void linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) override;
   void diagonal_blocks(const TangentLaw& law, double* blocks) override;
   void advance(const double* displacement, const double* mean, const double* flow, PlasticExtension& plastic) override;
@@ -19,6 +15,13 @@ class PairLoops : public FamilyLoops {
   std::size_t bytes() const override;
 
  protected:
+  void begin_strains(const double* shift) override;
+  void put_displacement(const double* displacement, LocalIndex first, LocalIndex last) override;
+  void sweep_strains(Bonds bonds, const PlasticExtension& plastic) override;
+  void take_strains(bool flowed, StrainSums& sums) const override;
+  void begin_forces(const double* radial, const double* shear, const double* yielded,
+                    const bonds::Mandel* state) override;
+  void sweep_forces(Bonds bonds, const PlasticExtension& plastic) override;
   void put_direction(const double* x, LocalIndex first, LocalIndex last) override;
   void clear_sums() override;
   void product_sums(Bonds bonds) override;
@@ -41,6 +44,7 @@ class PairLoops : public FamilyLoops {
   void put(const double* values, int components, int first, int last, Values& to, int component) const;
   static void set_results(kernels::PairView& view, std::array<Values, 8>& results);
   void take(const Values& from, int component, int components, int first, int last, double* values) const;
+  const std::vector<std::int32_t>& slots_of(Bonds bonds) const;
   kernels::PairView product_view(Bonds bonds);
   std::vector<char> flowing_slots(const Values& values, int component) const;
   void require(Values& values) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "evaluation.hpp"
 
@@ -27,10 +28,11 @@ void Committed::advance(const Scene& scene, Trial&& trial) {
   if (flows)
     scene.evaluation().loops().advance(trial.displacement.data(), trial.mean.data(), trial.flow.data(), *plastic_);
   t_ = trial.t;
-  displacement_ = std::move(trial.displacement);
-  point_history_ = std::move(trial.point_history);
-  bond_history_ = std::move(trial.bond_history);
-  mean_ = std::move(trial.mean);
+  // Exchanged rather than moved: who commits every time step uses the trial's arrays again.
+  std::swap(displacement_, trial.displacement);
+  std::swap(point_history_, trial.point_history);
+  std::swap(bond_history_, trial.bond_history);
+  std::swap(mean_, trial.mean);
   version_ = next_version();
 }
 

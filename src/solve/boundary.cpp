@@ -12,6 +12,9 @@ namespace perinox::solve {
 namespace {
 constexpr const char* axis = "xyz";
 
+bool prescribes(deck::LoadKind kind) {
+  return kind == deck::LoadKind::displacement || kind == deck::LoadKind::velocity;
+}
 bool on_surface(deck::LoadKind kind) { return kind == deck::LoadKind::traction || kind == deck::LoadKind::pressure; }
 
 /// Those of the set's exposed faces that look the way the load asks for, their area as the load counts it.
@@ -43,7 +46,7 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
     Entry entry{&load, &body.sets.at(load.set), std::nullopt, 0};
     const int number = static_cast<int>(entries_.size());
     long long twice = 0;
-    if (load.kind == deck::LoadKind::displacement) {
+    if (prescribes(load.kind)) {
       if (load.table) entry.table.emplace(*load.table, load.table_location, body, *entry.set);
       for (int c = 0; c < d; ++c) {
         if (!load.table && !load.component[c]) continue;
@@ -73,13 +76,45 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
   prescribed_.assign(mark.size(), 0);
   std::transform(mark.begin(), mark.end(), prescribed_.begin(), [](double m) { return static_cast<char>(m != 0); });
   count_unknowns();
-  if (prescribed_count_ == 0)
-    deck::refuse(
-        deck.resolved.at("boundary").location(),
-        "nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with displacement");
-  refuse_free_pieces(deck, scene, prescribed_);
+  for (std::size_t u = 0; u < prescriber.size(); ++u) {
+    if (prescriber[u] < 0 || entries_[static_cast<std::size_t>(prescriber[u])].load->kind != deck::LoadKind::velocity)
+      continue;
+    driven_by_velocity_.resize(prescriber.size(), 0);
+    driven_by_velocity_[u] = 1;
+  }
+  if (deck.dynamics == deck::Dynamics::quasi_static) {
+    if (prescribed_count_ == 0)
+      deck::refuse(
+          deck.resolved.at("boundary").location(),
+          "nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with displacement");
+    refuse_free_pieces(deck, scene, prescribed_);
+  } else {
+    check_finite(0);
+  }
   check_finite(deck.steps.count > 0 ? deck.steps.end / deck.steps.count : deck.steps.end);
   check_finite(deck.steps.end);
+  keep_steady_values();
+}
+
+void Boundary::keep_steady_values() {
+  for (Entry& entry : entries_) {
+    const bool force = !prescribes(entry.load->kind);
+    has_forces_ = has_forces_ || force;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto& expression = entry.load->component[c];
+      if (!expression) continue;
+      if (expression->uses_time()) {
+        forces_change_ = forces_change_ || force;
+      } else if (!force) {
+        for (const LocalIndex i : *entry.set) entry.steady[c].push_back(value(entry, static_cast<int>(c), i, 0));
+      }
+    }
+  }
+}
+
+double Boundary::value_of(const Entry& entry, int component, std::size_t k, double t) const {
+  const std::vector<double>& steady = entry.steady[static_cast<std::size_t>(component)];
+  return steady.empty() ? value(entry, component, (*entry.set)[k], t) : steady[k];
 }
 
 void Boundary::count_unknowns() {
@@ -141,8 +176,22 @@ void Boundary::impose(double t, double* displacement) const {
         continue;
       }
       for (int c = 0; c < d; ++c)
-        if (entry.load->component[c]) u[c] = value(entry, c, i, t);
+        if (entry.load->component[c]) u[c] = value_of(entry, c, k, t);
     }
+  }
+}
+
+void Boundary::impose_velocity(double t, double* velocity) const {
+  if (driven_by_velocity_.empty()) return;
+  const auto d = static_cast<std::size_t>(scene_.dimension());
+  for (const Entry& entry : entries_) {
+    if (entry.load->kind != deck::LoadKind::velocity) continue;
+    for (std::size_t k = 0; k < entry.set->size(); ++k)
+      for (std::size_t c = 0; c < d; ++c) {
+        const std::size_t u = static_cast<std::size_t>((*entry.set)[k]) * d + c;
+        if (entry.load->component[c] && driven_by_velocity_[u])
+          velocity[u] = value_of(entry, static_cast<int>(c), k, t);
+      }
   }
 }
 
@@ -150,7 +199,7 @@ void Boundary::external_force(double t, double* force) const {
   const int d = scene_.dimension();
   std::fill(force, force + scene_.owned_unknowns(), 0.0);
   for (const Entry& entry : entries_) {
-    if (entry.load->kind == deck::LoadKind::displacement) continue;
+    if (prescribes(entry.load->kind)) continue;
     if (on_surface(entry.load->kind)) {
       add_surface_force(entry, t, force);
       continue;

@@ -32,21 +32,8 @@ LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
       external_(scene.owned_unknowns(), 0.0),
       dilatation_(static_cast<std::size_t>(scene.owned()), 0.0),
       stored_energy_(static_cast<std::size_t>(scene.owned()), 0.0),
-      history_names_(scene.point_history_names()),
-      history_values_(history_names_.size(), std::vector<double>(static_cast<std::size_t>(scene.owned()), 0.0)) {
-  const auto asks = [&](const char* field) {
-    return std::find(deck.output.fields.begin(), deck.output.fields.end(), field) != deck.output.fields.end();
-  };
-  if (scene.from_sums() && (asks("stress") || asks("strain") || asks("von_mises_stress")))
-    stress_ = std::make_unique<mechanics::Stress>(scene);
+      records_(deck, scene) {
   if (deck.breaks()) breaking_ = std::make_unique<BondBreaking>(deck, scene);
-  if (asks("plastic_work")) plastic_work_.resize(static_cast<std::size_t>(scene.owned()));
-  for (const auto& material : scene.materials()) {
-    std::vector<std::size_t>& places = history_place_.emplace_back();
-    for (const std::string& name : material->history().point)
-      places.push_back(static_cast<std::size_t>(std::find(history_names_.begin(), history_names_.end(), name) -
-                                                history_names_.begin()));
-  }
 }
 
 void LoadStepper::run(Observer& observer) {
@@ -125,12 +112,6 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) 
   committed_.advance(scene_, std::move(trial));
   force_ = std::move(force);
   external_ = std::move(external);
-
-  for (LocalIndex i = 0; i < scene_.owned(); ++i) {
-    const std::vector<std::size_t>& places = history_place_[static_cast<std::size_t>(scene_.body().material[i])];
-    for (std::size_t k = 0; k < places.size(); ++k)
-      history_values_[places[k]][i] = committed_.point_history(scene_, i)[k];
-  }
 }
 
 StepRecord LoadStepper::record(const NewtonResult& result, bool written) {
@@ -144,58 +125,8 @@ StepRecord LoadStepper::record(const NewtonResult& result, bool written) {
   row.external_work = energies_.external_work;
   if (breaking_) row.fracture = FractureRow{passes_, breaking_->broken(), energies_.released, energies_.relaxed};
   row.end = deck_.steps.end;
-  row.history = history();
-  row.fields = fields(written);
+  records_.fill({committed_, force_.data(), external_.data(), dilatation_.data(), stored_energy_.data()}, written, row);
   return row;
-}
-
-std::vector<double> LoadStepper::history() const {
-  std::vector<double> values;
-  for (const deck::HistoryEntry& entry : deck_.history) values.push_back(entry_value(entry));
-  return values;
-}
-
-double LoadStepper::entry_value(const deck::HistoryEntry& entry) const {
-  const std::vector<LocalIndex>& set = scene_.body().sets.at(entry.set);
-  const int d = scene_.dimension();
-  std::vector<double> sums(2, 0.0);
-  for (const LocalIndex i : set) {
-    const auto unknown = static_cast<std::size_t>(i) * d + entry.component;
-    sums[1] += 1;
-    if (entry.kind == deck::HistoryKind::reaction) {
-      sums[0] -= force_[unknown] + external_[unknown];  // what the support does to the body
-    } else if (entry.kind == deck::HistoryKind::displacement) {
-      sums[0] += committed_.displacement()[unknown];
-    } else {
-      for (std::size_t k = 0; k < history_names_.size(); ++k)
-        if (history_names_[k] == "plastic_multiplier" && history_values_[k][i] > 0) sums[0] += 1;
-    }
-  }
-  scene_.body().communicator.sum(sums);
-  return entry.kind == deck::HistoryKind::reaction ? sums[0] : sums[0] / sums[1];
-}
-
-std::vector<Field> LoadStepper::fields(bool written) {
-  std::vector<Field> all{{"displacement", scene_.dimension(), committed_.displacement().data()},
-                         {"force", scene_.dimension(), force_.data()},
-                         {"dilatation", 1, dilatation_.data()},
-                         {"stored_energy", 1, stored_energy_.data()},
-                         {"damage", 1, scene_.families().damage.data()},
-                         {"weighted_volume", 1, scene_.families().weighted_volume.data()}};
-  for (std::size_t k = 0; k < history_names_.size(); ++k)
-    all.push_back({history_names_[k], 1, history_values_[k].data()});
-  if (!plastic_work_.empty()) {
-    for (LocalIndex i = 0; i < scene_.owned(); ++i)
-      plastic_work_[i] = scene_.material(i).plastic_work(committed_.point_history(scene_, i));
-    all.push_back({"plastic_work", 1, plastic_work_.data()});
-  }
-  if (stress_) {
-    if (written) stress_->evaluate(committed_);
-    all.push_back({"stress", 6, stress_->stress().data()});
-    all.push_back({"strain", 6, stress_->strain().data()});
-    all.push_back({"von_mises_stress", 1, stress_->von_mises().data()});
-  }
-  return all;
 }
 
 }  // namespace perinox::solve

@@ -61,13 +61,18 @@ class FamilyLoops {
 
   /// Strains at displacement [local * dimension], ghosts up to date. shift: [owned], subtracted as FamilySums has it.
   /// The displacement is kept for forces().
-  virtual void strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic,
-                           StrainSums& sums) = 0;
+  void strain_sums(const double* displacement, const double* shift, const PlasticExtension& plastic, StrainSums& sums);
   /// Internal force at the displacement of the last strain_sums: [local * dimension], what this rank's families exert
   /// on owned particles and on ghosts.
   /// radial, shear, yielded: [owned], yielded null as a whole where it is shear; state: [moments] as in TangentLaw.
-  virtual void forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
-                      const PlasticExtension& plastic, double* force) = 0;
+  void forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
+              const PlasticExtension& plastic, double* force);
+
+  /// strain_sums and forces for time steps: the halo's messages travel while bonds without ghosts are worked on.
+  /// displacement: [local * dimension], ghosts are filled here; force: [owned * dimension], complete. Collective.
+  void moving_sums(double* displacement, const double* shift, const PlasticExtension& plastic, StrainSums& sums);
+  void moving_forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
+                     const PlasticExtension& plastic, double* force);
 
   /// Keeps the state that the next products are taken at. displacement: [local * dimension], ghosts up to date. The
   /// plastic extension is read by every product: it has to stay.
@@ -101,6 +106,15 @@ class FamilyLoops {
 
   /// The bonds that reach no ghost, or the others.
   enum class Bonds { inner, outer };
+  /// The steps of strain_sums, in this order; those with a range or bonds once for either.
+  virtual void begin_strains(const double* shift) = 0;
+  virtual void put_displacement(const double* displacement, LocalIndex first, LocalIndex last) = 0;
+  virtual void sweep_strains(Bonds bonds, const PlasticExtension& plastic) = 0;
+  virtual void take_strains(bool flowed, StrainSums& sums) const = 0;
+  /// The steps of forces, before take_forces.
+  virtual void begin_forces(const double* radial, const double* shear, const double* yielded,
+                            const bonds::Mandel* state) = 0;
+  virtual void sweep_forces(Bonds bonds, const PlasticExtension& plastic) = 0;
   /// The steps of a product, in this order; those with a range once for either.
   virtual void put_direction(const double* x, LocalIndex first, LocalIndex last) = 0;  ///< of particles first to last
   virtual void clear_sums() = 0;
@@ -117,6 +131,8 @@ class FamilyLoops {
   FitChange change_of_fit(std::size_t m, const bonds::Mandel& sums, double second, double flow) const;
   /// Keeps what products and diagonal blocks need of the law.
   void keep_fits(const TangentLaw& law);
+
+  bool alone() const { return local_ == owned_ && halo_.neighbors() == 0; }
 
   body::Halo halo_;
   int d_, owned_, local_;

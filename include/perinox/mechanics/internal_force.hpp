@@ -17,6 +17,11 @@ void force_states(const Scene& scene, const Committed& state, double* points);
 void internal_force(const Scene& scene, const Committed& committed, const double* displacement, Trial& trial,
                     double* force);
 
+/// The same for time steps: the state is in trial.displacement [local * dimension] already, and no evaluation made
+/// before is looked for. Nothing is allocated after the first call with one trial, and messages travel while bonds
+/// without ghosts are worked on. Collective.
+void internal_force_in_motion(const Scene& scene, const Committed& committed, Trial& trial, double* force);
+
 /// Names the first owned particle whose force is not finite: a sentence with its id, position and, where a bond has
 /// collapsed to length zero, the neighbour; "" if all are finite. Not collective.
 std::string first_not_finite(const Scene& scene, const Trial& trial, const double* force);

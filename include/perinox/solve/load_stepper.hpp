@@ -6,12 +6,12 @@
 
 #include "perinox/deck/deck.hpp"
 #include "perinox/mechanics/state.hpp"
-#include "perinox/mechanics/stress.hpp"
 #include "perinox/solve/bond_breaking.hpp"
 #include "perinox/solve/boundary.hpp"
 #include "perinox/solve/newton.hpp"
 #include "perinox/solve/record.hpp"
 #include "perinox/solve/step_control.hpp"
+#include "perinox/solve/step_records.hpp"
 
 namespace perinox::solve {
 
@@ -59,9 +59,6 @@ class LoadStepper {
   /// Tells the observer and throws RunError with the reason.
   [[noreturn]] void lost_equilibrium(Observer& observer, const std::string& reason);
   [[noreturn]] void stop(Observer& observer, double t, const NewtonResult& result);
-  std::vector<double> history() const;
-  double entry_value(const deck::HistoryEntry& entry) const;
-  std::vector<Field> fields(bool written);
 
   const deck::Deck& deck_;
   mechanics::Scene& scene_;
@@ -73,11 +70,7 @@ class LoadStepper {
   Energies energies_;
   std::vector<double> force_, external_, dilatation_, stored_energy_;
   Converged converged_;
-  std::vector<std::string> history_names_;
-  std::vector<std::vector<std::size_t>> history_place_;  ///< [material][point variable] index into history_names_
-  std::vector<std::vector<double>> history_values_;      ///< point history spread over all owned particles
-  std::unique_ptr<mechanics::Stress> stress_;            ///< where the deck asks for a field that needs it
-  std::vector<double> plastic_work_;                     ///< [owned] if the deck asks for it
+  StepRecords records_;
   int step_ = 0;
   int passes_ = 0;            ///< of the step at hand
   NewtonResult last_result_;  ///< of the committed step

@@ -1,0 +1,58 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "perinox/solve/explicit_motion.hpp"
+#include "perinox/solve/record.hpp"
+#include "perinox/solve/step_records.hpp"
+
+namespace perinox::solve {
+
+/// What a run in time takes: for `perinox check` and for the log.
+struct TimeStepPlan {
+  double stable = 0;         ///< largest stable time step, 2/omega_max
+  double length = 0;         ///< of the time steps: at most the deck's time_step, or safety times the stable one
+  long long time_steps = 0;  ///< of the whole run, as long as the stable one does not change
+  std::string remark;        ///< a sentence where the deck's time_step is above the stable one; else empty
+};
+
+/// Drives a scene of dynamics: explicit from t = 0 to steps.end. Rows fall on their times end * k/count exactly: the
+/// time between two rows is cut into time steps of equal length. The stable time step is estimated at the start, and
+/// again at the first row after every thousand time steps, because bonds that turn and stretch change it.
+class TimeStepper {
+ public:
+  /// Collective. Throws InputError for a scene that cannot be run.
+  TimeStepper(const deck::Deck& deck, const mechanics::Scene& scene);
+
+  /// Collective; costs an estimate the first time.
+  TimeStepPlan plan();
+  /// Runs to the end. Throws RunError if the energies grow without bound or are not finite; every row before has been
+  /// handed to the observer. The state is worthless then, so the observer is given no last one.
+  void run(Observer& observer);
+
+  const Boundary& boundary() const { return boundary_; }
+  ExplicitMotion& motion() { return motion_; }
+  /// At the end of the run.
+  const MotionEnergies& energies() const { return energies_; }
+  /// Largest gain of energy over the largest energy, at any row.
+  double worst_gain() const { return worst_gain_; }
+
+ private:
+  double time_step();
+  bool advance_to(double t);
+  StepRecord record(bool written, bool last);
+  [[noreturn]] void stop(Observer& observer);
+
+  const deck::Deck& deck_;
+  const mechanics::Scene& scene_;
+  Boundary boundary_;
+  ExplicitMotion motion_;
+  StepRecords records_;
+  MotionEnergies energies_;
+  double worst_gain_ = 0;
+  double length_ = 0;        ///< of the last time step
+  long long estimated_ = 0;  ///< time steps done at the last estimate
+  int row_ = 0;
+};
+
+}  // namespace perinox::solve

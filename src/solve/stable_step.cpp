@@ -1,0 +1,145 @@
+#include "perinox/solve/stable_step.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "perinox/mechanics/family_loops.hpp"
+#include "perinox/mechanics/tangent.hpp"
+
+namespace perinox::solve {
+
+namespace {
+
+constexpr int most_products = 80;
+constexpr double accuracy = 0.01;
+
+/// Largest eigenvalue of a symmetric matrix, row-major [d * d].
+double largest_of(int d, const double* block) {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(Eigen::Map<const Matrix>(block, d, d), Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[d - 1];
+}
+
+/// lambda_i of the header.
+double family_stiffness(const mechanics::Scene& scene, const mechanics::Committed& undeformed, LocalIndex i,
+                        const mechanics::StrainSums& none) {
+  materials::StrainFit fit;
+  const materials::FamilySums sums = mechanics::family_sums(scene, undeformed, none, i, {}, {}, fit);
+  const materials::PointModulus modulus =
+      scene.material(i).modulus(sums, undeformed.point_history(scene, i), deck::TangentForm::consistent);
+  const bonds::Moment* moment = scene.families().moment(i);
+  if (!moment) return std::max(modulus.shear, modulus.shear + modulus.radial * sums.weighted_volume);
+  const int d = scene.dimension();
+  const double mu = scene.material(i).elastic_moduli(d).shear;
+  const double inverse = largest_of(bonds::mandel_size(d), moment->inverse.data());
+  return std::max(modulus.shear, std::max(d * modulus.bulk, 2 * mu) * inverse);
+}
+
+/// A number in (-1, 1) that depends on the particle alone, so that any number of ranks begins alike.
+double scatter(GlobalId id, int component) {
+  auto x = static_cast<std::uint64_t>(id) * 4 + static_cast<std::uint64_t>(component) + 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-52 - 1;
+}
+
+/// Largest Ritz value of the tridiagonal matrix with its residual on top; what of it is the residual.
+struct Ritz {
+  double value = 0, residual = 0;
+};
+Ritz largest_ritz(const std::vector<double>& diagonal, const std::vector<double>& side) {
+  const auto n = static_cast<Eigen::Index>(diagonal.size());
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), n),
+                                Eigen::Map<const Eigen::VectorXd>(side.data(), n - 1));
+  return {solver.eigenvalues()[n - 1], side.back() * std::abs(solver.eigenvectors()(n - 1, n - 1))};
+}
+
+}  // namespace
+
+std::vector<double> particle_masses(const deck::Deck& deck, const mechanics::Scene& scene) {
+  const body::Body& body = scene.body();
+  std::vector<double> masses(static_cast<std::size_t>(scene.owned()));
+  for (const deck::Material& material : deck.materials)
+    if (!material.density)
+      deck::refuse(material.location,
+                   fmt::format("the material {} needs the key density to move in time", material.name));
+  for (LocalIndex i = 0; i < scene.owned(); ++i)
+    masses[i] = *deck.materials[static_cast<std::size_t>(body.material[i])].density * body.volume[i];
+  return masses;
+}
+
+std::optional<double> eigenvalue_bound(const mechanics::Scene& scene, const std::vector<double>& masses) {
+  if (!scene.from_sums()) return std::nullopt;
+  const auto owned = static_cast<std::size_t>(scene.owned());
+  const std::size_t moments = scene.families().moments.size();
+  const mechanics::Committed undeformed(scene);
+  mechanics::StrainSums none;
+  none.extension.assign(owned, 0.0);
+  none.square.assign(owned, 0.0);
+  // The diagonal blocks of bonds with the stiffness lambda, and of nothing else, are the B_i.
+  mechanics::TangentLaw law;
+  law.radial.assign(owned, 0.0);
+  law.mean = law.dilatation = law.flow = law.radial;
+  if (mechanics::has_back_stress(scene)) law.yielded = law.radial;
+  law.state.assign(moments, {});
+  law.slope.assign(moments, {});
+  law.modulus.assign(moments, {});
+  law.shear.resize(owned);
+  for (LocalIndex i = 0; i < scene.owned(); ++i) law.shear[i] = family_stiffness(scene, undeformed, i, none);
+  const std::unique_ptr<mechanics::FamilyLoops> loops = mechanics::FamilyLoops::make(scene);
+  loops->linearise(undeformed.displacement().data(), law, undeformed.plastic());
+  const int d = scene.dimension();
+  std::vector<double> blocks(static_cast<std::size_t>(scene.local()) * d * d);
+  loops->diagonal_blocks(law, blocks.data());
+  scene.body().halo.add_to_owners(blocks.data(), d * d);
+  double largest = 0;
+  for (LocalIndex i = 0; i < scene.owned(); ++i)
+    largest = std::max(largest, 2 * largest_of(d, &blocks[static_cast<std::size_t>(i) * d * d]) / masses[i]);
+  return scene.body().communicator.max(largest);
+}
+
+double largest_eigenvalue(const mechanics::Scene& scene, const mechanics::Committed& committed,
+                          const std::vector<double>& masses, const std::vector<char>& prescribed) {
+  const Communicator& ranks = scene.body().communicator;
+  const std::size_t unknowns = scene.owned_unknowns();
+  const auto d = static_cast<std::size_t>(scene.dimension());
+  const std::unique_ptr<mechanics::Tangent> tangent = make_tangent(scene, deck::TangentForm::consistent);
+  tangent->linearise(committed, committed.displacement().data(), deck::TangentForm::consistent);
+  const auto dot = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    double sum = 0;
+    for (std::size_t u = 0; u < unknowns; ++u) sum += a[u] * b[u];
+    return ranks.sum(sum);
+  };
+  std::vector<double> scale(unknowns), v(unknowns), before(unknowns, 0.0), x(unknowns), w(unknowns);
+  for (std::size_t u = 0; u < unknowns; ++u) {
+    scale[u] = prescribed[u] ? 0 : 1 / std::sqrt(masses[u / d]);
+    v[u] = scale[u] > 0 ? scatter(scene.body().id[u / d], static_cast<int>(u % d)) : 0;
+  }
+  double norm = std::sqrt(dot(v, v));
+  if (norm == 0) return 0;
+  for (double& value : v) value /= norm;
+  std::vector<double> diagonal, side;
+  Ritz ritz;
+  for (int k = 0; k < most_products; ++k) {
+    for (std::size_t u = 0; u < unknowns; ++u) x[u] = scale[u] * v[u];
+    tangent->apply(x.data(), w.data());
+    for (std::size_t u = 0; u < unknowns; ++u) w[u] = scale[u] * w[u] - (k > 0 ? side.back() * before[u] : 0);
+    diagonal.push_back(dot(v, w));
+    for (std::size_t u = 0; u < unknowns; ++u) w[u] -= diagonal.back() * v[u];
+    side.push_back(std::sqrt(dot(w, w)));
+    ritz = largest_ritz(diagonal, side);
+    // A side of rounding only: the space is exhausted, the value exact.
+    if (ritz.residual <= accuracy * std::abs(ritz.value) || side.back() <= 1e-12 * std::abs(ritz.value)) break;
+    for (std::size_t u = 0; u < unknowns; ++u) {
+      before[u] = v[u];
+      v[u] = w[u] / side.back();
+    }
+  }
+  return std::max(0.0, ritz.value + ritz.residual);
+}
+
+}  // namespace perinox::solve

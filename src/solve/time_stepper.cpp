@@ -1,0 +1,151 @@
+#include "perinox/solve/time_stepper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "perinox/core/error.hpp"
+#include "perinox/mechanics/internal_force.hpp"
+#include "perinox/solve/stable_step.hpp"
+
+namespace perinox::solve {
+
+namespace {
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Time steps between two looks at the energies: a sum over the ranks, and 2.4^50 is still a number.
+constexpr long long between_looks = 50;
+/// Time steps that an estimate of the stable one serves: it costs about as much as thirty of them.
+constexpr long long between_estimates = 1000;
+
+ExplicitMotion::Settings settings_of(const deck::Explicit& motion) {
+  ExplicitMotion::Settings settings;
+  settings.damping = motion.damping;
+  settings.contact = motion.contact;
+  settings.safety = motion.safety;
+  return settings;
+}
+
+/// Equal time steps of at most `longest` that fill `span`.
+long long count_of(double span, double longest) {
+  return std::max(1LL, static_cast<long long>(std::ceil(span / longest * (1 - 1e-12))));
+}
+}  // namespace
+
+TimeStepper::TimeStepper(const deck::Deck& deck, const mechanics::Scene& scene)
+    : deck_(deck),
+      scene_(scene),
+      boundary_(deck, scene),
+      motion_(scene, boundary_, particle_masses(deck, scene), mechanics::Committed(scene), settings_of(deck.motion)),
+      records_(deck, scene) {
+  motion_.set_velocity(deck.initial_velocity);
+}
+
+double TimeStepper::time_step() {
+  const double longest = deck_.motion.time_step ? *deck_.motion.time_step : motion_.stable_time_step();
+  return std::min(longest, deck_.steps.end / std::max(1, deck_.steps.count));
+}
+
+TimeStepPlan TimeStepper::plan() {
+  TimeStepPlan plan;
+  plan.stable = motion_.stable_time_step() / deck_.motion.safety;
+  const double row = deck_.steps.end / std::max(1, deck_.steps.count);
+  const long long count = count_of(row, time_step());
+  plan.length = row / static_cast<double>(count);
+  plan.time_steps = count * deck_.steps.count;
+  if (plan.length > plan.stable)
+    plan.remark = fmt::format(
+        "{}: the time step {:.4g} is above the largest stable one, {:.4g}: the motion will grow without bound; take "
+        "less, or leave time_step out",
+        deck_.motion.location.text(), plan.length, plan.stable);
+  return plan;
+}
+
+void TimeStepper::run(Observer& observer) {
+  const Communicator& ranks = scene_.body().communicator;
+  const TimeStepPlan plan = this->plan();
+  observer.note(fmt::format("{} time steps of {:.4g}; the largest stable one is {:.4g}", plan.time_steps, plan.length,
+                            plan.stable));
+  const double begin = now();
+  double row_begin = begin;
+  ProfileReading told = ranks.profile().read();
+  while (row_ < deck_.steps.count) {
+    const double t = deck_.steps.end * (row_ + 1) / deck_.steps.count;
+    if (!advance_to(t)) stop(observer);
+    ++row_;
+    const bool end = row_ == deck_.steps.count;
+    StepRecord row = record(end || row_ % deck_.output.every == 0, end);
+    row.t = row.motion->time = t;
+    row.seconds = now() - row_begin;
+    row.remaining_seconds = (now() - begin) * (deck_.steps.end - t) / t;
+    const ProfileReading reading = ranks.profile().read();
+    row.profile = ranks.slowest(reading - told);
+    told = reading;
+    observer.step_committed(row);
+    row_begin = now();
+  }
+}
+
+bool TimeStepper::advance_to(double t) {
+  if (motion_.time_steps() - estimated_ >= between_estimates) {
+    estimated_ = motion_.time_steps();
+    motion_.estimate_again();
+  }
+  const double span = t - motion_.t();
+  const long long count = count_of(span, time_step());
+  length_ = span / static_cast<double>(count);
+  for (long long k = 0; k < count; ++k) {
+    motion_.step(length_);
+    if ((k + 1) % between_looks != 0 && k + 1 < count) continue;
+    energies_ = motion_.energies();
+    if (!motion_.sound(energies_)) return false;
+  }
+  const double scale = energies_.scale();
+  if (scale > 0) worst_gain_ = std::max(worst_gain_, std::abs(energies_.gain()) / scale);
+  return true;
+}
+
+StepRecord TimeStepper::record(bool written, bool last) {
+  StepRecord row;
+  row.step = row_;
+  row.stored_energy = energies_.stored;
+  row.dissipated_energy = energies_.dissipated;
+  row.external_work = energies_.external_work;
+  row.end = deck_.steps.end;
+  row.last = last;
+  MotionRow motion;
+  motion.time_steps = motion_.time_steps();
+  motion.kinetic_energy = energies_.kinetic;
+  motion.damped_energy = energies_.damped;
+  motion.contact_energy = energies_.contact;
+  row.motion = motion;
+  records_.fill({motion_.committed(), motion_.force().data(), motion_.external().data(), motion_.dilatation().data(),
+                 motion_.stored_energy().data(), motion_.velocity().data()},
+                written, row);
+  return row;
+}
+
+void TimeStepper::stop(Observer& observer) {
+  observer.run_stopped(nullptr);
+  const bool finite = std::isfinite(energies_.sum()) && std::isfinite(energies_.external_work);
+  std::string where;
+  if (!finite) {
+    try {  // the lowest rank that has something to say is heard on all
+      scene_.body().communicator.agree_on_input_error(
+          mechanics::first_not_finite(scene_, motion_.trial(), motion_.force().data()));
+    } catch (const InputError& found) {
+      where = fmt::format(": {}", found.what());
+    }
+  }
+  const double stable = 2 / std::sqrt(motion_.eigenvalue());
+  throw RunError(fmt::format(
+      "stopped at t = {:.6g} of {:g}, after {} rows and {} time steps: the energies {}{}; the time step was {:.4g} and "
+      "the largest stable one, as last estimated, is {:.4g}: take a smaller explicit.{}",
+      motion_.t(), deck_.steps.end, row_, motion_.time_steps(),
+      finite ? "grow though nothing does that work" : "are not finite", where, length_, stable,
+      deck_.motion.time_step ? "time_step" : "safety"));
+}
+
+}  // namespace perinox::solve
