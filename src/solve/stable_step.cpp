@@ -16,11 +16,12 @@ namespace {
 constexpr int most_products = 80;
 constexpr double accuracy = 0.01;
 
-/// Largest eigenvalue of a symmetric matrix, row-major [d * d].
-double largest_of(int d, const double* block) {
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(Eigen::Map<const Matrix>(block, d, d), Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()[d - 1];
+using Block = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Largest eigenvalue of a symmetric matrix, row-major [n * n].
+double largest_of(int n, const double* block) {
+  const Eigen::SelfAdjointEigenSolver<Block> solver(Eigen::Map<const Block>(block, n, n), Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[n - 1];
 }
 
 /// lambda_i of the header.
@@ -32,10 +33,14 @@ double family_stiffness(const mechanics::Scene& scene, const mechanics::Committe
       scene.material(i).modulus(sums, undeformed.point_history(scene, i), deck::TangentForm::consistent);
   const bonds::Moment* moment = scene.families().moment(i);
   if (!moment) return std::max(modulus.shear, modulus.shear + modulus.radial * sums.weighted_volume);
-  const int d = scene.dimension();
+  // The strain's part of the energy is eps : C : eps/2 with C = d kappa P + 2 mu (1 - P), P = I I^T/d, and that of its
+  // extensions eps : M : eps.
+  const int d = scene.dimension(), n = bonds::mandel_size(d);
   const double mu = scene.material(i).elastic_moduli(d).shear;
-  const double inverse = largest_of(bonds::mandel_size(d), moment->inverse.data());
-  return std::max(modulus.shear, std::max(d * modulus.bulk, 2 * mu) * inverse);
+  Block root = Block::Identity(n, n) * std::sqrt(2 * mu);
+  root.topLeftCorner(d, d).array() += (std::sqrt(d * modulus.bulk) - std::sqrt(2 * mu)) / d;
+  const Block product = root * Eigen::Map<const Block>(moment->inverse.data(), n, n) * root;
+  return std::max(modulus.shear, largest_of(n, product.data()));
 }
 
 /// A number in (-1, 1) that depends on the particle alone, so that any number of ranks begins alike.

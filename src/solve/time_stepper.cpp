@@ -15,8 +15,8 @@ namespace perinox::solve {
 namespace {
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-/// Time steps between two looks at the energies: a sum over the ranks, and 2.4^50 is still a number.
-constexpr long long between_looks = 50;
+/// Time steps between two looks at the energies, which cost a sum over the ranks.
+constexpr long long between_looks = 10;
 /// Time steps that an estimate of the stable one serves: it costs about as much as thirty of them.
 constexpr long long between_estimates = 1000;
 

@@ -14,6 +14,7 @@
 #include "perinox/deck/read.hpp"
 #include "perinox/mechanics/scene.hpp"
 #include "perinox/solve/load_stepper.hpp"
+#include "perinox/solve/time_stepper.hpp"
 
 namespace perinox::testing {
 
@@ -58,26 +59,47 @@ struct RunResult {
   std::map<GlobalId, std::vector<double>> displacement, force;
   std::string stopped;  ///< the reason, if it stopped short
   solve::Energies energies;
+  solve::MotionEnergies motion;  ///< of dynamics: explicit
   std::string preconditioner;
 };
 
-inline RunResult run_deck(const deck::Deck& deck, MPI_Comm comm = MPI_COMM_SELF) {
-  const Communicator ranks(comm);
-  mechanics::Scene scene = mechanics::build_scene(deck, ranks);
-  solve::LoadStepper stepper(deck, scene);
+/// Runs a stepper and keeps the last force and displacement.
+template <class Stepper>
+RunResult run_with(Stepper& stepper) {
   RunResult run;
   try {
     stepper.run(run.records);
   } catch (const RunError& error) {
     run.stopped = error.what();
   }
+  return run;
+}
+
+inline void keep(const mechanics::Scene& scene, const std::vector<double>& displacement,
+                 const std::vector<double>& force, RunResult& run) {
   const int d = scene.dimension();
   for (LocalIndex i = 0; i < scene.owned(); ++i)
     for (int c = 0; c < d; ++c) {
       const auto u = static_cast<std::size_t>(i) * d + c;
-      run.displacement[scene.body().id[i]].push_back(stepper.committed().displacement()[u]);
-      run.force[scene.body().id[i]].push_back(stepper.force()[u]);
+      run.displacement[scene.body().id[i]].push_back(displacement[u]);
+      run.force[scene.body().id[i]].push_back(force[u]);
     }
+}
+
+inline RunResult run_deck(const deck::Deck& deck, MPI_Comm comm = MPI_COMM_SELF) {
+  const Communicator ranks(comm);
+  const mechanics::Scene scene = mechanics::build_scene(deck, ranks);
+  if (deck.dynamics == deck::Dynamics::explicit_) {
+    solve::TimeStepper stepper(deck, scene);
+    RunResult run = run_with(stepper);
+    keep(scene, stepper.motion().committed().displacement(), stepper.motion().force(), run);
+    run.motion = stepper.energies();
+    run.energies = {run.motion.stored, run.motion.dissipated, run.motion.external_work};
+    return run;
+  }
+  solve::LoadStepper stepper(deck, scene);
+  RunResult run = run_with(stepper);
+  keep(scene, stepper.committed().displacement(), stepper.force(), run);
   run.energies = stepper.energies();
   run.preconditioner = stepper.newton().system().preconditioner_name();
   return run;

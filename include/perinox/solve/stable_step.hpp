@@ -12,7 +12,8 @@ std::vector<double> particle_masses(const deck::Deck& deck, const mechanics::Sce
 
 /// Upper bound of the largest eigenvalue of M^-1 K of the undeformed elastic body, 1/time^2. A family's energy is at
 /// most lambda_i/2 sum omega e^2 V_j with lambda_i = max(alpha_i, d^2 kappa/m_i), or, where the strain is fitted,
-/// max(alpha_i, max(d kappa, 2 mu) |M^-1|); an extension squared at most twice those of its ends; so
+/// the largest of alpha_i and of C^(1/2) M^-1 C^(1/2), C the isotropic stiffness; an extension squared at most twice
+/// those of its ends; so
 ///     omega_max^2 <= max_i 2 |B_i| / m_i,   B_i = V_i sum_j omega (lambda_i + lambda_j) n n V_j.
 /// Bonds that break only lower it. None where a material has no point formulas of sums. Collective.
 std::optional<double> eigenvalue_bound(const mechanics::Scene& scene, const std::vector<double>& masses);
