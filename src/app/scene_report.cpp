@@ -189,16 +189,19 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   line("points and state", points);
   line("loops: internal force and tangent product", memory.loops);
   if (t.bond_history > 0) line("plastic extension, once everything flows", memory.plastic);
-  line("Newton, Krylov and preconditioner, about", solving);
-  if (deck.solver.assembled()) line("assembled matrix, its bonds and stored tangent, about", matrix + bonds * 88);
-  out += fmt::format("solver\n  {}\n", tangent_choice(deck.solver, matrix, particles * d));
+  const bool in_time = deck.dynamics == deck::Dynamics::explicit_;
+  if (!in_time) line("Newton, Krylov and preconditioner, about", solving);
+  if (!in_time && deck.solver.assembled())
+    line("assembled matrix, its bonds and stored tangent, about", matrix + bonds * 88);
+  if (!in_time) out += fmt::format("solver\n  {}\n", tangent_choice(deck.solver, matrix, particles * d));
   // Counted in the sweeps, a reciprocal root as twelve: 12 d + 14 operations a directed bond, 8 more where it flows.
   // From memory a product reads the plastic extension twice and everything else about once.
   const double product = bonds * (12 * d + 14) + 8 * plastic_bonds;
   const double read = memory.loops / 2 + memory.families + 2 * memory.plastic;
-  out +=
-      fmt::format("cost\n  one product {:.3g} Mflop, at most {} read; {} load steps of a few Newton iterations each\n",
-                  product / 1e6, bytes(read), deck.steps.count);
+  out += fmt::format("cost\n  one {} {:.3g} Mflop, at most {} read; {}\n", in_time ? "time step" : "product",
+                     product / 1e6, bytes(read),
+                     in_time ? fmt::format("{} rows", deck.steps.count)
+                             : fmt::format("{} load steps of a few Newton iterations each", deck.steps.count));
   return report;
 }
 

@@ -83,7 +83,9 @@ Key declare_explicit() {
   stiffness.fallback = "1";
   Key key = map_key(
       "explicit", "Motion in time.",
-      {positive_key("time_step", "time", "Time step; left out: the largest stable one times safety."),
+      {positive_key("time_step", "time",
+                    "Longest time step: the time between two rows is cut into equal ones. Left out: the largest stable "
+                    "one times safety."),
        share_key("safety", "0.8", "Time step over the largest stable one."),
        not_negative_key("damping", "1/time", "0", "Mass-proportional damping."),
        map_key("contact", "Repulsion between particles that share no bond; left out: none.", {distance, stiffness})});

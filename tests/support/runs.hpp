@@ -88,7 +88,7 @@ inline void keep(const mechanics::Scene& scene, const std::vector<double>& displ
 
 inline RunResult run_deck(const deck::Deck& deck, MPI_Comm comm = MPI_COMM_SELF) {
   const Communicator ranks(comm);
-  const mechanics::Scene scene = mechanics::build_scene(deck, ranks);
+  mechanics::Scene scene = mechanics::build_scene(deck, ranks);
   if (deck.dynamics == deck::Dynamics::explicit_) {
     solve::TimeStepper stepper(deck, scene);
     RunResult run = run_with(stepper);
