@@ -70,17 +70,46 @@ double ExplicitMotion::stable_time_step() {
   return *lambda_ > 0 ? settings_.safety * 2 / std::sqrt(*lambda_) : std::numeric_limits<double>::infinity();
 }
 
+MotionProgress ExplicitMotion::progress() const {
+  std::vector<double> sums{work_, damped_, dissipated_};
+  scene_.body().communicator.sum(sums);
+  return {time_, time_steps_, last_step_, sums[0], sums[1], sums[2], released_, at_start_};
+}
+
+void ExplicitMotion::resume(const MotionProgress& progress, std::vector<double> velocity) {
+  resumed_ = true;
+  time_ = progress.time;
+  start_ = committed_.t() - settings_.rate * time_;
+  time_steps_ = progress.time_steps;
+  last_step_ = progress.last_step;
+  if (scene_.body().communicator.is_root()) {  // shares of the ranks, whose sum alone matters
+    work_ = progress.external_work;
+    damped_ = progress.damped;
+    dissipated_ = progress.dissipated;
+  }
+  released_ = progress.released;
+  at_start_ = progress.at_start;
+  velocity_ = std::move(velocity);
+}
+
 void ExplicitMotion::start_moving() {
   moving_ = true;
   boundary_.impose_velocity(t(), velocity_.data());
   const auto d = static_cast<std::size_t>(scene_.dimension());
-  for (std::size_t u = 0; u < velocity_.size(); ++u) work_ += 0.5 * masses_[u / d] * velocity_[u] * velocity_[u];
+  if (!resumed_)
+    for (std::size_t u = 0; u < velocity_.size(); ++u) work_ += 0.5 * masses_[u / d] * velocity_[u] * velocity_[u];
   if (boundary_.has_forces()) boundary_.external_force(t(), loads_.data());
   evaluate();
+  accelerate();
+  if (!resumed_) at_start_ = scene_.body().communicator.sum(trial_.stored + contact_energy_);
+}
+
+/// From the forces and velocities as they are.
+void ExplicitMotion::accelerate() {
+  const auto d = static_cast<std::size_t>(scene_.dimension());
   for (std::size_t u = 0; u < velocity_.size(); ++u)
     if (!prescribed(u))
       acceleration_[u] = (force_[u] + external_[u]) / masses_[u / d] - settings_.damping * velocity_[u];
-  at_start_ = scene_.body().communicator.sum(trial_.stored + contact_energy_);
 }
 
 void ExplicitMotion::evaluate() {
@@ -186,11 +215,8 @@ void ExplicitMotion::bonds_have_broken(double released) {
   released_ += released;
   if (contact_) contact_->refresh();
   if (!moving_) return;
-  const auto d = static_cast<std::size_t>(scene_.dimension());
   evaluate();
-  for (std::size_t u = 0; u < velocity_.size(); ++u)
-    if (!prescribed(u))
-      acceleration_[u] = (force_[u] + external_[u]) / masses_[u / d] - settings_.damping * velocity_[u];
+  accelerate();
 }
 
 MotionEnergies ExplicitMotion::energies() const {

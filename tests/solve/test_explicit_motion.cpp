@@ -304,5 +304,49 @@ TEST(ExplicitMotion, AnEquilibriumWithItsLoadsHeldStaysAtRest) {
   EXPECT_EQ(end.displacement().size(), scene.local_unknowns());
 }
 
+TEST(ExplicitMotion, AMotionThatIsTakenUpAgainGoesOnAsIfItHadNotStopped) {
+  const deck::Deck deck = deck_of(steel_box(4, 4, 12, R"yaml(
+explicit: {damping: 1e4, contact: {}}
+sets: {foot: {where: "z < 3"}, head: {where: "z > 9"}}
+initial_velocity: [{set: all, velocity: {z: -2e4}}]
+boundary: [{set: foot, velocity: {z: "1e9*t"}}, {set: head, force: {x: "1e8*t"}}]
+steps: {end: 1, count: 1}
+)yaml",
+                                            "elastic-plastic"));
+  const mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
+  const solve::Boundary boundary(deck, scene);
+  solve::ExplicitMotion::Settings settings;
+  settings.damping = deck.motion.damping;
+  settings.contact = deck.motion.contact;
+  const auto begin = [&](mechanics::Committed start) {
+    return solve::ExplicitMotion(scene, boundary, solve::particle_masses(deck, scene), std::move(start), settings);
+  };
+  const double dt = 1.5e-7;
+  solve::ExplicitMotion whole = begin(mechanics::Committed(scene)), first = begin(mechanics::Committed(scene));
+  whole.set_velocity(deck.initial_velocity);
+  first.set_velocity(deck.initial_velocity);
+  for (int k = 0; k < 60; ++k) whole.step(dt);
+  for (int k = 0; k < 30; ++k) first.step(dt);
+  const solve::MotionProgress progress = first.progress();
+  const std::vector<double> velocity = first.velocity();
+  solve::ExplicitMotion second = begin(first.release());
+  second.resume(progress, velocity);
+  for (int k = 0; k < 30; ++k) second.step(dt);
+  double difference = 0, size = 0;
+  for (std::size_t u = 0; u < scene.owned_unknowns(); ++u) {
+    difference = std::max(difference, std::abs(whole.trial().displacement[u] - second.trial().displacement[u]));
+    size = std::max(size, std::abs(whole.trial().displacement[u]));
+  }
+  const solve::MotionEnergies a = whole.energies(), b = second.energies();
+  std::printf("taken up again: displacement %.1e, energy %.1e, t %.1e\n", difference / size, b.sum() / a.sum() - 1,
+              second.t() / whole.t() - 1);
+  EXPECT_GT(a.dissipated, 0);
+  EXPECT_LT(difference, 1e-12 * size);
+  EXPECT_NEAR(b.sum() / a.sum(), 1, 1e-12);
+  EXPECT_NEAR(b.external_work / a.external_work, 1, 1e-12);
+  EXPECT_NEAR(second.t() / whole.t(), 1, 1e-12);
+  EXPECT_EQ(second.time_steps(), 60);
+}
+
 }  // namespace
 }  // namespace perinox::testing

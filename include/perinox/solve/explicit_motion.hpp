@@ -34,6 +34,14 @@ struct MotionEnergies {
   double scale() const;
 };
 
+/// How far a motion has come, over all ranks: with the committed state and the velocities all that it takes to go on.
+struct MotionProgress {
+  double time = 0;
+  long long time_steps = 0;
+  double last_step = 0;  ///< length
+  double external_work = 0, damped = 0, dissipated = 0, released = 0, at_start = 0;
+};
+
 /// Integrates M u'' = f(u) + external + contact - damping M u' in time by velocity Verlet, one time step a call:
 ///     v_(n+1/2) = v_n + dt/2 a_n,  u_(n+1) = u_n + dt v_(n+1/2),  v_(n+1) = v_(n+1/2) + dt/2 a_(n+1).
 /// Prescribed displacements are imposed at the end of each time step, prescribed velocities integrated by the
@@ -53,6 +61,11 @@ class ExplicitMotion {
 
   /// Velocities at the beginning; before the first step. A later entry wins, and a prescribed motion over all of them.
   void set_velocity(const std::vector<deck::InitialVelocity>& entries);
+
+  /// For a checkpoint. After resume(), before the first step, the motion goes on from the state given to the
+  /// constructor as if it had never stopped, to rounding. velocity: [owned * dimension].
+  MotionProgress progress() const;
+  void resume(const MotionProgress& progress, std::vector<double> velocity);
 
   /// safety * 2/sqrt(lambda), lambda the largest eigenvalue of M^-1 K at the state of the last estimate: the smaller of
   /// bound and Lanczos' value, and what contacts may add (stable_step.hpp). Infinite where nothing is free.
@@ -96,6 +109,7 @@ class ExplicitMotion {
  private:
   void start_moving();
   void evaluate();
+  void accelerate();
   void drift(double dt);
   void impose(double dt);
   void kick(double dt);
@@ -117,7 +131,7 @@ class ExplicitMotion {
   std::vector<double> contact_force_;
   std::unique_ptr<Contact> contact_;
   std::optional<double> lambda_;
-  bool moving_ = false, up_to_date_ = true;
+  bool moving_ = false, resumed_ = false, up_to_date_ = true;
 
   double time_ = 0, last_step_ = 0;
   long long time_steps_ = 0;
