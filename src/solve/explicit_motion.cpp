@@ -211,12 +211,15 @@ void ExplicitMotion::kick(double dt) {
   }
 }
 
-void ExplicitMotion::bonds_have_broken(double released) {
-  released_ += released;
+double ExplicitMotion::bonds_have_broken() {
   if (contact_) contact_->refresh();
-  if (!moving_) return;
+  if (!moving_) return 0;
+  double released = trial_.stored + contact_energy_;
   evaluate();
   accelerate();
+  released = scene_.body().communicator.sum(released - trial_.stored - contact_energy_);
+  released_ += released;
+  return released;
 }
 
 MotionEnergies ExplicitMotion::energies() const {

@@ -21,7 +21,7 @@ struct MotionEnergies {
   // Since the motion began.
   double dissipated = 0;
   double damped = 0;
-  double released = 0;  ///< as the caller told
+  double released = 0;  ///< went with bonds as they broke
   /// Of external forces, and of what moves the prescribed unknowns, their inertia included; it begins with the kinetic
   /// energy of the initial velocities.
   double external_work = 0;
@@ -77,9 +77,9 @@ class ExplicitMotion {
 
   /// One time step of length dt.
   void step(double dt);
-  /// Bonds have broken since the last step, and with them went this much stored energy (of all ranks): forces and
-  /// contacts are evaluated anew at the present state.
-  void bonds_have_broken(double released);
+  /// To be called after bonds of the scene have broken between two time steps: evaluates forces and contacts anew at
+  /// the present state. The stored energy that went with the bonds, all ranks; it counts as released from here on.
+  double bonds_have_broken();
 
   double time() const { return time_; }
   /// Load parameter.
