@@ -40,6 +40,10 @@ TimeStepper::TimeStepper(const deck::Deck& deck, const mechanics::Scene& scene)
       boundary_(deck, scene),
       motion_(scene, boundary_, particle_masses(deck, scene), mechanics::Committed(scene), settings_of(deck.motion)),
       records_(deck, scene) {
+  for (const deck::Material& material : deck.materials)
+    if (material.damage)
+      deck::refuse(material.damage->location,
+                   "bonds do not break in an explicit run yet; remove the damage law, or dynamics: explicit");
   motion_.set_velocity(deck.initial_velocity);
 }
 
