@@ -14,7 +14,7 @@ namespace {
 constexpr double nanoseconds_a_bond = 1.5, nanoseconds_a_pair = 4;
 
 /// Time step, number of time steps, cost; empty for a quasi-static deck. Collective.
-std::string motion_in_words(const Problem& problem, const Communicator& communicator) {
+std::string motion_in_words(Problem& problem, const Communicator& communicator) {
   if (problem.deck.dynamics != deck::Dynamics::explicit_) return "";
   solve::TimeStepper stepper(problem.deck, problem.scene);
   const solve::TimeStepPlan plan = stepper.plan();
@@ -35,7 +35,7 @@ std::string motion_in_words(const Problem& problem, const Communicator& communic
 }  // namespace
 
 int check(const Options& options, const Communicator& communicator) {
-  const Problem problem = prepare(options, communicator);
+  Problem problem = prepare(options, communicator);
   const solve::Boundary boundary(problem.deck, problem.scene);
   say_remarks(boundary, communicator);
   const std::string in_time = motion_in_words(problem, communicator);

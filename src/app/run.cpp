@@ -24,7 +24,7 @@ constexpr double worth_a_warning_in_time = 0.01;
 /// What of the external work is neither stored nor dissipated, over the largest of the three.
 double unaccounted(const solve::Energies& e) {
   const double size = std::max({std::abs(e.external_work), std::abs(e.stored), std::abs(e.dissipated)});
-  return size > 0 ? (e.external_work - e.stored - e.dissipated - e.released - e.relaxed) / size : 0;
+  return size > 0 ? (e.external_work - e.stored - e.dissipated - e.released - e.relaxed - e.damped) / size : 0;
 }
 
 std::string directory_of(const Options& options) {
@@ -54,7 +54,7 @@ void run_into(Stepper& stepper, const Problem& problem, const Options& options, 
   say_times();
 }
 
-int run_in_time(const Problem& problem, const Options& options, const Communicator& communicator) {
+int run_in_time(Problem& problem, const Options& options, const Communicator& communicator) {
   solve::TimeStepper stepper(problem.deck, problem.scene);
   const std::string remark = stepper.plan().remark;
   if (communicator.is_root() && !remark.empty()) fmt::print(stderr, "warning: {}\n", remark);
@@ -63,10 +63,10 @@ int run_in_time(const Problem& problem, const Options& options, const Communicat
   const double gain = e.scale() > 0 ? e.gain() / e.scale() : 0;
   if (communicator.is_root() && !options.quiet)
     fmt::print(
-        "done: kinetic {:.6g}, stored {:.6g}, dissipated {:.6g}, damped {:.6g}, in contacts {:.6g}, external work "
-        "{:.6g} ({:+.1e} of the largest not accounted for, {:.1e} at worst); results in {}\n",
-        e.kinetic, e.stored, e.dissipated, e.damped, e.contact, e.external_work, -gain, stepper.worst_gain(),
-        directory_of(options));
+        "done: kinetic {:.6g}, stored {:.6g}, dissipated {:.6g}, damped {:.6g}, released {:.6g}, in contacts {:.6g}, "
+        "external work {:.6g} ({:+.1e} of the largest not accounted for, {:.1e} at worst); results in {}\n",
+        e.kinetic, e.stored, e.dissipated, e.damped, e.released, e.contact, e.external_work, -gain,
+        stepper.worst_gain(), directory_of(options));
   if (communicator.is_root() && stepper.worst_gain() > worth_a_warning_in_time)
     fmt::print(stderr,
                "warning: up to {:.1f} % of the energy is not accounted for; the time steps are too long for what "

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perinox/solve/explicit_motion.hpp"
+
 namespace perinox::solve {
 
 namespace {
@@ -100,6 +102,15 @@ double BondBreaking::ratio(LocalIndex lower, LocalIndex upper, double length, do
 
 BondBreaking::Result BondBreaking::break_worst(const mechanics::Committed& state, long long most) {
   find_points(state);
+  return break_above(state.displacement().data(), most);
+}
+
+long long BondBreaking::break_all(ExplicitMotion& motion) {
+  if (energies_ || ductile_) find_points(motion.committed());
+  return break_above(motion.trial().displacement.data(), bonds_).broken;
+}
+
+BondBreaking::Result BondBreaking::break_above(const double* displacement, long long most) {
   const body::Body& body = scene_.body();
   std::vector<Critical> critical;
   std::vector<double> counted;  // of bonds whose smaller id is this rank's
@@ -108,7 +119,7 @@ BondBreaking::Result BondBreaking::break_worst(const mechanics::Committed& state
     if (unbreakable_[near] || unbreakable_[far]) return;
     const bool swap = body.id[near] > body.id[far];
     const LocalIndex lower = swap ? far : near, upper = swap ? near : far;
-    const double value = ratio(lower, upper, length, weight, state.displacement().data());
+    const double value = ratio(lower, upper, length, weight, displacement);
     result.worst = std::max(result.worst, value);
     if (value < 1 - tie) return;
     critical.push_back({value, {lower, upper}});

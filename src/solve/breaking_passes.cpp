@@ -3,14 +3,21 @@
 
 #include <algorithm>
 
+#include "perinox/solve/hand_over.hpp"
 #include "perinox/solve/load_stepper.hpp"
 #include "perinox/solve/loose_pieces.hpp"
 
 namespace perinox::solve {
 
+namespace {
+/// Phases of motion at one load before the run gives up.
+constexpr int most_phases = 20;
+}  // namespace
+
 std::string LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
   const Communicator& ranks = scene_.body().communicator;
   const auto most = static_cast<long long>(deck_.fracture.pass_share * static_cast<double>(breaking_->bonds()));
+  const long long before_step = breaking_->broken();
   passes_ = 0;
   for (int pass = 1;; ++pass) {
     const BondBreaking::Result found = breaking_->break_worst(committed_, most);
@@ -28,6 +35,10 @@ std::string LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
     energies_.stored = after;
     force_ = force;
     newton_.bonds_changed(loose);
+    const long long in_step = breaking_->broken() - before_step;
+    if (motion_ &&
+        static_cast<double>(in_step) > deck_.hand_over.broken_share * static_cast<double>(breaking_->bonds()))
+      return fmt::format("{} bonds have broken in one load step, more than hand_over.broken_share", in_step);
     if (pass > deck_.fracture.max_passes)
       return fmt::format("bonds still break after {} passes at t = {:.6g}", deck_.fracture.max_passes, t);
 
@@ -46,6 +57,56 @@ std::string LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
     energies_.relaxed += before.stored - energies_.stored + before.dissipated - energies_.dissipated +
                          energies_.external_work - before.external_work;
   }
+}
+
+std::string LoadStepper::go_through_motion(Observer& observer, double t, const std::string& reason,
+                                           NewtonResult& total) {
+  std::string why = reason;
+  double to = t;
+  for (int phase = 1; phase <= most_phases; ++phase) {
+    observer.note(fmt::format("goes on in time from t = {:.6g}: {}", committed_.t(), why));
+    HandOver hand_over(deck_, scene_, boundary_, breaking_.get());
+    const HandOver::Result result = hand_over.run(committed_, to, observer, force_, external_);
+    const MotionEnergies& e = result.energies;
+    energies_.stored = e.stored;
+    energies_.dissipated += e.dissipated;
+    energies_.external_work += e.external_work;
+    energies_.released += e.released;
+    energies_.damped += e.damped + e.kinetic + e.contact;
+    motion_->time += result.time;
+    motion_->time_steps += result.time_steps;
+    if (!result.at_rest) return result.reason;
+    observer.note(
+        fmt::format("at rest at t = {:.6g} after {:.4g} of time in {} time steps: {} bonds broken, {:.4g} of energy "
+                    "released and {:.4g} damped, {:.1e} of it not accounted for",
+                    committed_.t(), result.time, result.time_steps, result.broken, e.released, e.damped,
+                    e.scale() > 0 ? e.gain() / e.scale() : 0));
+    newton_.bonds_changed(true);
+    control_->jumped(committed_.t());
+
+    mechanics::Trial trial;
+    std::vector<double> force;
+    const std::vector<double> guess(
+        committed_.displacement().begin(),
+        committed_.displacement().begin() + static_cast<std::ptrdiff_t>(scene_.owned_unknowns()));
+    const NewtonResult found = newton_.solve(committed_, committed_.t(), step_, guess, observer, trial, force);
+    total.newton_iterations += found.newton_iterations;
+    total.linear_iterations += found.linear_iterations;
+    to = committed_.t();
+    if (!found.converged) {
+      why = found.reason;
+      continue;
+    }
+    const Energies before = energies_;
+    commit(std::move(trial), std::move(force));
+    energies_.damped += before.stored - energies_.stored + before.dissipated - energies_.dissipated +
+                        energies_.external_work - before.external_work;
+    why = breaking_ ? break_bonds(observer, total) : "";
+    total.converged = true;
+    if (why.empty()) return "";
+  }
+  return fmt::format("no equilibrium at t = {:.6g} after going on in time {} times: {}", committed_.t(), most_phases,
+                     why);
 }
 
 bool LoadStepper::let_loose_go(Observer& observer) {

@@ -29,11 +29,7 @@ ExplicitMotion::ExplicitMotion(const mechanics::Scene& scene, const Boundary& bo
       external_(scene.owned_unknowns(), 0.0),
       loads_(scene.owned_unknowns(), 0.0) {
   trial_.displacement = committed_.displacement();
-  for (std::size_t u = 0; u < scene.owned_unknowns(); ++u)
-    if (prescribed(u)) held_.push_back(u);
-  held_displacement_.resize(held_.size());
-  held_velocity_.resize(held_.size());
-  held_force_.resize(held_.size());
+  find_held();
   if (settings.contact) {
     contact_ = std::make_unique<Contact>(scene, *settings.contact);
     contact_force_.assign(scene.owned_unknowns(), 0.0);
@@ -43,6 +39,37 @@ ExplicitMotion::ExplicitMotion(const mechanics::Scene& scene, const Boundary& bo
   for (LocalIndex i = 0; i < scene.owned(); ++i)
     energy += 1e-20 * scene.body().volume[i] * scene.material(i).elastic_moduli(scene.dimension()).bulk;
   least_energy_ = scene.body().communicator.sum(energy);
+}
+
+void ExplicitMotion::find_held() {
+  held_.clear();
+  for (std::size_t u = 0; u < scene_.owned_unknowns(); ++u)
+    if (prescribed(u)) held_.push_back(u);
+  held_displacement_.resize(held_.size());
+  held_velocity_.resize(held_.size());
+  held_force_.resize(held_.size());
+}
+
+void ExplicitMotion::supports_have_changed() {
+  const auto d = static_cast<std::size_t>(scene_.dimension());
+  const std::vector<char>& loose = boundary_.loose();
+  for (std::size_t u = 0; u < velocity_.size() && !loose.empty(); ++u) {
+    if (!loose[u / d]) continue;
+    damped_ += 0.5 * masses_[u / d] * velocity_[u] * velocity_[u];
+    velocity_[u] = acceleration_[u] = 0;
+  }
+  find_held();
+  lambda_.reset();
+}
+
+void ExplicitMotion::go_on_at(double t, double rate) {
+  start_ = t;
+  since_ = time_;
+  settings_.rate = rate;
+  if (boundary_.has_forces()) {
+    boundary_.external_force(t, loads_.data());
+    for (std::size_t u = 0; u < external_.size(); ++u) external_[u] = loads_[u] + (contact_ ? contact_force_[u] : 0);
+  }
 }
 
 void ExplicitMotion::set_velocity(const std::vector<deck::InitialVelocity>& entries) {

@@ -33,6 +33,7 @@ LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
       dilatation_(static_cast<std::size_t>(scene.owned()), 0.0),
       stored_energy_(static_cast<std::size_t>(scene.owned()), 0.0),
       records_(deck, scene) {
+  if (deck.may_move()) motion_.emplace();
   if (deck.breaks()) breaking_ = std::make_unique<BondBreaking>(deck, scene);
 }
 
@@ -48,17 +49,18 @@ void LoadStepper::run(Observer& observer) {
     if (!result.converged) {
       const double tried = control_->tried();
       observer.step_rejected(committed_.t(), tried, result.reason);
-      if (!control_->cut()) stop(observer, tried, result);
-      continue;
-    }
-    if (converged_) converged_(committed_, trial);
-    ++step_;
-    control_->accept(committed_, trial);
-    commit(std::move(trial), std::move(force));
-    if (breaking_) {
-      const std::string reason = break_bonds(observer, result);
+      if (control_->cut()) continue;
+      if (!motion_) stop(observer, tried, result);
+      ++step_;
+      passes_ = 0;
+      const std::string reason = go_through_motion(observer, tried, result.reason, result);
       if (!reason.empty()) lost_equilibrium(observer, reason);
-      if (passes_ > 0) control_->jumped();
+    } else {
+      if (converged_) converged_(committed_, trial);
+      ++step_;
+      control_->accept(committed_, trial);
+      commit(std::move(trial), std::move(force));
+      settle(observer, result);
     }
     last_result_ = result;
     const bool last = control_->finished();
@@ -72,6 +74,14 @@ void LoadStepper::run(Observer& observer) {
     observer.step_committed(row);
     step_begin = now();
   }
+}
+
+void LoadStepper::settle(Observer& observer, NewtonResult& result) {
+  if (!breaking_) return;
+  std::string reason = break_bonds(observer, result);
+  if (!reason.empty() && motion_) reason = go_through_motion(observer, committed_.t(), reason, result);
+  if (!reason.empty()) lost_equilibrium(observer, reason);
+  if (passes_ > 0) control_->jumped(committed_.t());
 }
 
 void LoadStepper::lost_equilibrium(Observer& observer, const std::string& reason) {
@@ -124,6 +134,8 @@ StepRecord LoadStepper::record(const NewtonResult& result, bool written) {
   row.dissipated_energy = energies_.dissipated;
   row.external_work = energies_.external_work;
   if (breaking_) row.fracture = FractureRow{passes_, breaking_->broken(), energies_.released, energies_.relaxed};
+  row.motion = motion_;
+  if (row.motion) row.motion->damped_energy = energies_.damped;
   row.end = deck_.steps.end;
   records_.fill({committed_, force_.data(), external_.data(), dilatation_.data(), stored_energy_.data()}, written, row);
   return row;

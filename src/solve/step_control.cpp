@@ -35,6 +35,12 @@ void LoadSteps::accept(const mechanics::Committed& committed, const mechanics::T
   size_ *= 2;
 }
 
+void LoadSteps::jumped(double t) {
+  has_previous_ = false;
+  while (!finished() && t >= whole_end() * (1 - 1e-12)) ++done_;
+  if (tried_ < t) tried_ = t;
+}
+
 bool LoadSteps::cut() {
   if (!steps_.adaptive || cuts_ >= steps_.max_cuts) return false;
   ++cuts_;

@@ -34,16 +34,13 @@ long long count_of(double span, double longest) {
 }
 }  // namespace
 
-TimeStepper::TimeStepper(const deck::Deck& deck, const mechanics::Scene& scene)
+TimeStepper::TimeStepper(const deck::Deck& deck, mechanics::Scene& scene)
     : deck_(deck),
       scene_(scene),
       boundary_(deck, scene),
       motion_(scene, boundary_, particle_masses(deck, scene), mechanics::Committed(scene), settings_of(deck.motion)),
       records_(deck, scene) {
-  for (const deck::Material& material : deck.materials)
-    if (material.damage)
-      deck::refuse(material.damage->location,
-                   "bonds do not break in an explicit run yet; remove the damage law, or dynamics: explicit");
+  if (deck.breaks()) breaking_ = std::make_unique<BondBreaking>(deck, scene);
   motion_.set_velocity(deck.initial_velocity);
 }
 
@@ -102,6 +99,7 @@ bool TimeStepper::advance_to(double t) {
   length_ = span / static_cast<double>(count);
   for (long long k = 0; k < count; ++k) {
     motion_.step(length_);
+    if (breaking_ && breaking_->break_all(motion_) > 0) motion_.bonds_have_broken();
     if ((k + 1) % between_looks != 0 && k + 1 < count) continue;
     energies_ = motion_.energies();
     if (!motion_.sound(energies_)) return false;
@@ -125,6 +123,7 @@ StepRecord TimeStepper::record(bool written, bool last) {
   motion.damped_energy = energies_.damped;
   motion.contact_energy = energies_.contact;
   row.motion = motion;
+  if (breaking_) row.fracture = FractureRow{0, breaking_->broken(), energies_.released, 0};
   records_.fill({motion_.committed(), motion_.force().data(), motion_.external().data(), motion_.dilatation().data(),
                  motion_.stored_energy().data(), motion_.velocity().data()},
                 written, row);

@@ -9,6 +9,8 @@
 
 namespace perinox::solve {
 
+class ExplicitMotion;
+
 /// Finds the bonds that have come to their limits and breaks them. Both ranks of a bond between ranks come to the same
 /// answer to the last bit, as they see the same numbers in the same order.
 class BondBreaking {
@@ -24,6 +26,8 @@ class BondBreaking {
   /// Breaks the worst of the critical bonds of a state, `most` of them over all ranks or as many as equal the worst to
   /// `tie`. Collective.
   Result break_worst(const mechanics::Committed& state, long long most);
+  /// Breaks all critical bonds of a motion; how many over all ranks. Collective.
+  long long break_all(ExplicitMotion& motion);
 
   /// Bonds over all ranks before any broke.
   long long bonds() const { return bonds_; }
@@ -37,6 +41,7 @@ class BondBreaking {
   static constexpr double tie = 1e-6;
 
  private:
+  Result break_above(const double* displacement, long long most);
   struct Critical {
     double ratio;
     mechanics::BondEnds ends;

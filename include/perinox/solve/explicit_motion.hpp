@@ -81,9 +81,15 @@ class ExplicitMotion {
   /// the present state. The stored energy that went with the bonds, all ranks; it counts as released from here on.
   double bonds_have_broken();
 
+  /// To be called after the boundary has let particles go: they stop where they are, and their kinetic energy counts
+  /// as damped.
+  void supports_have_changed();
+  /// From here on the load parameter goes from `t` at `rate`.
+  void go_on_at(double t, double rate);
+
   double time() const { return time_; }
   /// Load parameter.
-  double t() const { return start_ + settings_.rate * time_; }
+  double t() const { return start_ + settings_.rate * (time_ - since_); }
   long long time_steps() const { return time_steps_; }
   MotionEnergies energies() const;
   /// True while the energies are finite and have not doubled without anybody's work.
@@ -107,6 +113,7 @@ class ExplicitMotion {
   const Contact* contact() const { return contact_.get(); }
 
  private:
+  void find_held();
   void start_moving();
   void evaluate();
   void accelerate();
@@ -118,8 +125,8 @@ class ExplicitMotion {
   const mechanics::Scene& scene_;
   const Boundary& boundary_;
   Settings settings_;
-  double start_ = 0;
-  bool history_ = false;  ///< some material has one: every time step is committed
+  double start_ = 0, since_ = 0;  ///< t at a time
+  bool history_ = false;          ///< some material has one: every time step is committed
   std::vector<double> masses_;
   mechanics::Committed committed_;
   mechanics::Trial trial_;  ///< the present state; its displacement is committed_'s where that is up to date

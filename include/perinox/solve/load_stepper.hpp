@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Energies {
   double external_work = 0;  ///< of the reactions and the external forces, trapezoidal over each step
   double released = 0;       ///< stored energy that went with breaking bonds, the deformation held
   double relaxed = 0;        ///< lost between breaking and the next equilibrium
+  double damped = 0;         ///< while the run went on in time, the kinetic energy left at its end included
 };
 
 /// Drives a scene from t = 0 to its end, in load steps or along an arc (step_control.hpp). The only place where a trial
@@ -58,6 +60,11 @@ class LoadStepper {
   bool let_loose_go(Observer& observer);
   /// Tells the observer and throws RunError with the reason.
   [[noreturn]] void lost_equilibrium(Observer& observer, const std::string& reason);
+  /// Goes on in time with the loads going to `t` until the body is at rest and in equilibrium again; a reason, if that
+  /// does not happen.
+  std::string go_through_motion(Observer& observer, double t, const std::string& reason, NewtonResult& total);
+  /// The bonds that are critical after an equilibrium, and what follows if there is none afterwards.
+  void settle(Observer& observer, NewtonResult& result);
   [[noreturn]] void stop(Observer& observer, double t, const NewtonResult& result);
 
   const deck::Deck& deck_;
@@ -72,8 +79,9 @@ class LoadStepper {
   Converged converged_;
   StepRecords records_;
   int step_ = 0;
-  int passes_ = 0;            ///< of the step at hand
-  NewtonResult last_result_;  ///< of the committed step
+  int passes_ = 0;                   ///< of the step at hand
+  std::optional<MotionRow> motion_;  ///< where the run may go on in time
+  NewtonResult last_result_;         ///< of the committed step
 };
 
 }  // namespace perinox::solve

@@ -19,8 +19,9 @@ class StepControl {
   virtual double tried() const = 0;
   /// The attempt was good; `trial` is about to be committed.
   virtual void accept(const mechanics::Committed& committed, const mechanics::Trial& trial) = 0;
-  /// Bonds have broken since the last accept(), and the committed state is another: the last increment says nothing.
-  virtual void jumped() {}
+  /// The committed state has become another one since the last accept(), at `t`: bonds have broken, or the run has gone
+  /// on in time. The last increment says nothing.
+  virtual void jumped(double /*t*/) {}
   /// The attempt failed. False if the step may not be made shorter.
   virtual bool cut() = 0;
   /// Share of the run that is done, for an estimate of the time left: above 0, at most 1.
@@ -37,7 +38,7 @@ class LoadSteps : public StepControl {
                        std::vector<double>& force) override;
   double tried() const override { return tried_; }
   void accept(const mechanics::Committed& committed, const mechanics::Trial& trial) override;
-  void jumped() override { has_previous_ = false; }
+  void jumped(double t) override;
   bool cut() override;
   double share() const override { return tried_ / steps_.end; }
 

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "perinox/solve/bond_breaking.hpp"
 #include "perinox/solve/explicit_motion.hpp"
 #include "perinox/solve/record.hpp"
 #include "perinox/solve/step_records.hpp"
@@ -22,7 +23,7 @@ struct TimeStepPlan {
 class TimeStepper {
  public:
   /// Collective. Throws InputError for a scene that cannot be run.
-  TimeStepper(const deck::Deck& deck, const mechanics::Scene& scene);
+  TimeStepper(const deck::Deck& deck, mechanics::Scene& scene);
 
   /// Collective; costs an estimate the first time.
   TimeStepPlan plan();
@@ -44,9 +45,10 @@ class TimeStepper {
   [[noreturn]] void stop(Observer& observer);
 
   const deck::Deck& deck_;
-  const mechanics::Scene& scene_;
+  mechanics::Scene& scene_;
   Boundary boundary_;
   ExplicitMotion motion_;
+  std::unique_ptr<BondBreaking> breaking_;  ///< where bonds can break
   StepRecords records_;
   MotionEnergies energies_;
   double worst_gain_ = 0;
