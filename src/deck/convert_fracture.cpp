@@ -75,6 +75,7 @@ HandOver convert_hand_over(const Value& value) {
   HandOver change;
   change.location = value.location();
   change.broken_share = value.at("broken_share").number();
+  change.overload = value.at("overload").number();
   change.kinetic_share = value.at("kinetic_share").number();
   change.quiet_time = number_of(value, "quiet_time");
   change.longest_time = number_of(value, "longest_time");

@@ -124,9 +124,15 @@ Key declare_hand_over() {
   Key rate = number_key("rate", "1/time", "Of the load parameter over time while the run is explicit; 0: loads held.");
   rate.minimum = 0;
   rate.fallback = "0";
+  Key overload = number_key("overload", "-",
+                            "Measure of the worst bond over its limit, after a pass of bond breaking, that makes it a "
+                            "dynamic event: the crack runs faster than equilibrium can follow.");
+  overload.minimum = 1;
+  overload.fallback = "4";
   Key key = map_key(
       "hand_over", "When a quasi-static run goes on in time, and when it comes back.",
-      {share_key("broken_share", "0.02", "Bonds broken in one load step, of all bonds, that make it a dynamic event."),
+      {share_key("broken_share", "0.005", "Bonds broken in one load step, of all bonds, that make it a dynamic event."),
+       overload,
        share_key("kinetic_share", "1e-3", "Kinetic energy over stored energy below which the body is at rest."),
        positive_key("quiet_time", "time",
                     "Time without a broken bond that rest needs; left out: that of a wave through the body."),
@@ -136,7 +142,7 @@ Key declare_hand_over() {
        number_key("damping", "1/time",
                   "Mass-proportional damping in this phase; left out: two over the time of a wave through the body."),
        rate});
-  key.keys[4].minimum = 0;
+  key.keys[5].minimum = 0;
   key.fallback = "{}";
   key.example = "hand_over: {broken_share: 0.05, kinetic_share: 1e-4}";
   return key;

@@ -71,7 +71,7 @@ void Terminal::step_committed(const solve::StepRecord& record) {
   end_ = fmt::format(" of {:.6g}", record.end);
   time_left_ = record.last ? "" : fmt::format("  about {} left", duration(record.remaining_seconds));
   progress_ = record.last ? "" : fmt::format("step {}  t {:.6g}{}{}", record.step, record.t, end_, time_left_);
-  if (record.motion && record.newton_iterations == 0) {
+  if (record.motion && record.newton_iterations == 0 && record.motion->time == record.t) {
     print(fmt::format("  row {} at t = {:.6g}: {} time steps, kinetic {:.4g}, stored {:.4g}, {}{}\n", record.step,
                       record.t, record.motion->time_steps, record.motion->kinetic_energy, record.stored_energy,
                       duration(record.seconds), left));

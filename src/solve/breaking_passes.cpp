@@ -22,6 +22,7 @@ std::string LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
   for (int pass = 1;; ++pass) {
     const BondBreaking::Result found = breaking_->break_worst(committed_, most);
     if (found.broken == 0) return "";
+    const bool runs = motion_ && pass > 1 && found.worst > deck_.hand_over.overload;
     const double t = committed_.t();
     observer.bonds_broken({step_, t, pass, found.critical, found.broken, found.worst});
     passes_ = pass;
@@ -35,6 +36,9 @@ std::string LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
     energies_.stored = after;
     force_ = force;
     newton_.bonds_changed(loose);
+    if (runs)
+      return fmt::format("a bond is at {:.3g} times its limit, more than hand_over.overload: the crack runs",
+                         found.worst);
     const long long in_step = breaking_->broken() - before_step;
     if (motion_ &&
         static_cast<double>(in_step) > deck_.hand_over.broken_share * static_cast<double>(breaking_->bonds()))

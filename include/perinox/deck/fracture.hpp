@@ -58,7 +58,8 @@ struct Explicit {
 enum class Fallback { automatic, explicit_, none };
 struct HandOver {
   Location location;
-  double broken_share = 0.02;          ///< bonds broken in one load step, of all bonds, that make it a dynamic event
+  double broken_share = 0.005;         ///< bonds broken in one load step, of all bonds, that make it a dynamic event
+  double overload = 4;                 ///< of the worst bond after a pass, over its limit: the crack runs
   double kinetic_share = 1e-3;         ///< of the stored energy: at rest below it
   std::optional<double> quiet_time;    ///< time without a broken bond; none: a wave's passage through the body
   std::optional<double> longest_time;  ///< time after which the run stops; none: a thousand passages
