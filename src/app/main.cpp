@@ -47,6 +47,8 @@ int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool
     command->add_flag("--quiet", options.quiet, "print nothing but warnings and errors");
   }
   run->add_option("--output", options.output, "directory for the results (default: results/<deck's name>)");
+  run->add_option("--restart", options.restart,
+                  "go on from a checkpoint, DIR/checkpoint.h5, on any number of ranks; without --output in DIR itself");
   study->add_option("STUDY", request.file, "the study, a YAML file")->required();
   study->add_option("--output", request.output, "directory for everything (default: results/studies/<study's name>)");
   study->add_flag("--again", request.again, "repeat runs that are finished");

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <memory>
+#include <optional>
+#include <type_traits>
 
+#include "checkpointing.hpp"
 #include "perinox/app/commands.hpp"
 #include "perinox/app/scene_report.hpp"
 #include "perinox/core/error.hpp"
@@ -12,6 +16,7 @@
 #include "perinox/output/run_writer.hpp"
 #include "perinox/solve/load_stepper.hpp"
 #include "perinox/solve/time_stepper.hpp"
+#include "stop_signal.hpp"
 
 namespace perinox::app {
 
@@ -27,29 +32,53 @@ double unaccounted(const solve::Energies& e) {
   return size > 0 ? (e.external_work - e.stored - e.dissipated - e.released - e.relaxed - e.damped) / size : 0;
 }
 
-std::string directory_of(const Options& options) {
-  return options.output.empty()
-             ? (std::filesystem::path("results") / std::filesystem::path(options.deck).stem()).string()
-             : options.output;
+/// Directory of the results: --output, or where the checkpoint lies, or results/<deck's name>.
+std::string directory_of(const Options& options, const std::optional<Restart>& from) {
+  if (!options.output.empty()) return options.output;
+  if (from) return from->directory;
+  return (std::filesystem::path("results") / std::filesystem::path(options.deck).stem()).string();
+}
+
+bool same_directory(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error) && !error;
 }
 
 /// Runs either stepper into the directory, and says where the time went, of a run that stops short too.
 template <class Stepper>
-void run_into(Stepper& stepper, const Problem& problem, const Options& options, const Communicator& communicator) {
+void run_into(Stepper& stepper, const Problem& problem, const Options& options, const Communicator& communicator,
+              const std::optional<Restart>& from, double begin) {
   const bool talk = communicator.is_root() && !options.quiet;
   if (talk) fmt::print("{}", problem.report.summary);
   say_remarks(stepper.boundary(), communicator);
-  output::RunWriter writer(problem.deck, problem.scene.body(), directory_of(options), options.quiet);
+  const std::string directory = directory_of(options, from);
+  const bool goes_on = from && communicator.any(communicator.is_root() && same_directory(from->directory, directory));
+  if (talk && from)
+    fmt::print(
+        "restart after step {}, t = {:.10g}: {}\n", from->head.step, from->head.t,
+        goes_on ? "the files of " + directory + " go on" : "new files in " + directory + " begin with the next step");
+  const output::RunWriter::Continuation kept =
+      goes_on ? output::RunWriter::Continuation{from->head.step, from->head.history_bytes, from->head.convergence_bytes}
+              : output::RunWriter::Continuation();
+  const body::Body& body = problem.scene.body();
+  const auto writer = goes_on ? std::make_unique<output::RunWriter>(problem.deck, body, directory, options.quiet, kept)
+                              : std::make_unique<output::RunWriter>(problem.deck, body, directory, options.quiet);
+  std::optional<Checkpointing> checkpoints;
+  if constexpr (std::is_same_v<Stepper, solve::LoadStepper>) {
+    checkpoints.emplace(options, problem.deck, stepper, *writer, body, directory, begin);
+    stepper.on_commit([&](const solve::StepRecord& record) { checkpoints->committed(record); });
+  }
   const ProfileReading before = communicator.profile().read();
   const auto say_times = [&] {
     const ProfileReading times = communicator.slowest(communicator.profile().read() - before);
     if (talk) fmt::print("\n{}", output::profile_table(times));
   };
   try {
-    stepper.run(writer);
-  } catch (const RunError&) {
+    stepper.run(*writer);
+  } catch (const RunError& error) {
     say_times();
-    throw;
+    const std::string command = checkpoints ? checkpoints->resume_command() : "";
+    throw RunError(command.empty() ? error.what() : fmt::format("{}\nresume with: {}", error.what(), command));
   }
   say_times();
 }
@@ -58,7 +87,7 @@ int run_in_time(Problem& problem, const Options& options, const Communicator& co
   solve::TimeStepper stepper(problem.deck, problem.scene);
   const std::string remark = stepper.plan().remark;
   if (communicator.is_root() && !remark.empty()) fmt::print(stderr, "warning: {}\n", remark);
-  run_into(stepper, problem, options, communicator);
+  run_into(stepper, problem, options, communicator, std::nullopt, steady_seconds());
   const solve::MotionEnergies& e = stepper.energies();
   const double gain = e.scale() > 0 ? e.gain() / e.scale() : 0;
   if (communicator.is_root() && !options.quiet)
@@ -66,7 +95,7 @@ int run_in_time(Problem& problem, const Options& options, const Communicator& co
         "done: kinetic {:.6g}, stored {:.6g}, dissipated {:.6g}, damped {:.6g}, released {:.6g}, in contacts {:.6g}, "
         "external work {:.6g} ({:+.1e} of the largest not accounted for, {:.1e} at worst); results in {}\n",
         e.kinetic, e.stored, e.dissipated, e.damped, e.released, e.contact, e.external_work, -gain,
-        stepper.worst_gain(), directory_of(options));
+        stepper.worst_gain(), directory_of(options, std::nullopt));
   if (communicator.is_root() && stepper.worst_gain() > worth_a_warning_in_time)
     fmt::print(stderr,
                "warning: up to {:.1f} % of the energy is not accounted for; the time steps are too long for what "
@@ -78,17 +107,25 @@ int run_in_time(Problem& problem, const Options& options, const Communicator& co
 }  // namespace
 
 int run(const Options& options, const Communicator& communicator) {
+  const double begin = steady_seconds();
+  const std::optional<Restart> from =
+      options.restart.empty() ? std::nullopt : find_restart(options, read_deck(options, communicator), communicator);
   Problem problem = prepare(options, communicator);
   if (problem.deck.dynamics == deck::Dynamics::explicit_) return run_in_time(problem, options, communicator);
+  note_stop_signals();
   solve::LoadStepper stepper(problem.deck, problem.scene);
-  run_into(stepper, problem, options, communicator);
+  if (from) {
+    output::CheckpointReader reader(from->file, problem.scene.body());
+    stepper.restore(reader);
+  }
+  run_into(stepper, problem, options, communicator, from, begin);
   const solve::Energies& e = stepper.energies();
   const double gap = unaccounted(e);
   if (communicator.is_root() && !options.quiet)
     fmt::print(
         "done: stored {:.6g}, dissipated {:.6g}, external work {:.6g} ({:+.1e} of it not accounted for); results in "
         "{}\n",
-        e.stored, e.dissipated, e.external_work, gap, directory_of(options));
+        e.stored, e.dissipated, e.external_work, gap, directory_of(options, from));
   if (communicator.is_root() && std::abs(gap) > worth_a_warning)
     fmt::print(stderr,
                "warning: the external work is {:.1f} % {} than what is stored and dissipated; it is summed by the "

@@ -42,6 +42,10 @@ Key declare_steps() {
       {end, integer_key("count", 1, 1e9, "10", "Number of steps of equal size."),
        boolean_key("adaptive", true, "Halve a step that fails to converge and let later steps grow again."),
        integer_key("max_cuts", 0, 60, "8", "How often a step may be halved before the run stops."),
+       positive_key(
+           "time_limit", "seconds",
+           "Wall-clock time of the run, set-up included: it stops with a checkpoint, and exit status 1, before "
+           "a step that may not end in time. Without it there is no limit."),
        word_key("control", words::control, "load",
                 "load: t is given; arc-length: t is found along the path of equilibria, which may turn back.")});
   key.fallback = "{}";
@@ -59,8 +63,11 @@ Key declare_output(const std::vector<ModelDeclaration>& models) {
   fields.unique = true;
   fields.fallback = "[displacement, force]";
   Key key = map_key(
-      "output", "What is written to results.h5.",
-      {integer_key("every", 1, 1e9, "1", "Write every so many converged steps; the last is always written."), fields});
+      "output", "What is written to results.h5, and how often a checkpoint.",
+      {integer_key("every", 1, 1e9, "1", "Write every so many converged steps; the last is always written."), fields,
+       integer_key("checkpoint_every", 0, 1e9, "1",
+                   "Write checkpoint.h5, from which perinox run --restart goes on, every so many converged steps; 0: "
+                   "never.")});
   key.fallback = "{}";
   key.example = "output: {every: 5, fields: [displacement, force, dilatation]}";
   return key;

@@ -37,6 +37,12 @@ void PlasticExtension::require(std::size_t k, std::size_t blocks, std::size_t co
   bytes_ += size;
 }
 
+void PlasticExtension::mark(const std::vector<double>& flow) {
+  flowed_.resize(flow.size(), 0);
+  for (std::size_t i = 0; i < flow.size(); ++i)
+    if (flow[i] != 0) flowed_[i] = 1;
+}
+
 std::vector<double> PlasticExtension::per_bond(const Scene& scene) const {
   const bonds::Bonds& bonds = scene.bonds();
   std::vector<double> all(static_cast<std::size_t>(bonds.count()), 0.0);

@@ -49,11 +49,13 @@ Handle text_type() {
 }
 }  // namespace
 
-ParallelFile::ParallelFile(std::string path, const Communicator& communicator, Mode mode)
+ParallelFile::ParallelFile(std::string path, const Communicator& communicator, Mode mode, int user_block)
     : path_(std::move(path)), communicator_(communicator) {
   const Silence silence;
   const Handle access = mpi_access(communicator_.mpi());  // closed last: every call clears the reason of a failure
-  file_ = mode == Mode::create ? H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access)
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  H5Pset_userblock(creation, static_cast<hsize_t>(user_block));
+  file_ = mode == Mode::create ? H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, creation, access)
                                : H5Fopen(path_.c_str(), mode == Mode::append ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access);
   try {
     agree(file_ < 0, mode == Mode::create ? "cannot be created" : "cannot be opened");
@@ -83,6 +85,11 @@ bool ParallelFile::has(const std::string& name) const {
   return communicator_.any(H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0);
 }
 
+void ParallelFile::remove(const std::string& name) {
+  const Silence silence;
+  agree(H5Ldelete(file_, name.c_str(), H5P_DEFAULT) < 0, "does not give up " + name);
+}
+
 void ParallelFile::write_table(const std::string& dataset, const void* values, int rows, GlobalId total, GlobalId first,
                                int columns, std::int64_t type) {
   const Silence silence;
@@ -110,8 +117,8 @@ void ParallelFile::write_rows(const std::string& dataset, const std::vector<Glob
   write_table(dataset, values.data(), static_cast<int>(values.size()), total, first, 0, H5T_NATIVE_LLONG);
 }
 
-std::vector<double> ParallelFile::read_rows(const std::string& dataset, GlobalId total, GlobalId first, int rows,
-                                            int columns) const {
+void ParallelFile::read_table(const std::string& dataset, void* values, int rows, GlobalId total, GlobalId first,
+                              int columns, std::int64_t type) const {
   const Silence silence;
   const Handle table(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
   agree(table.failed(), "has no dataset " + dataset);
@@ -127,9 +134,57 @@ std::vector<double> ParallelFile::read_rows(const std::string& dataset, GlobalId
   select_rows(space, first, rows, columns);
   const Handle memory = memory_space(rows, columns);
   const Handle transfer = collective_transfer();
+  agree(H5Dread(table, type, memory, space, transfer, values) < 0, "could not be read, dataset " + dataset);
+}
+
+std::vector<double> ParallelFile::read_rows(const std::string& dataset, GlobalId total, GlobalId first, int rows,
+                                            int columns) const {
   std::vector<double> values(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns == 0 ? 1 : columns));
-  agree(H5Dread(table, H5T_NATIVE_DOUBLE, memory, space, transfer, values.data()) < 0,
-        "could not be read, dataset " + dataset);
+  read_table(dataset, values.data(), rows, total, first, columns, H5T_NATIVE_DOUBLE);
+  return values;
+}
+std::vector<int> ParallelFile::read_integers(const std::string& dataset, GlobalId total, GlobalId first,
+                                             int rows) const {
+  std::vector<int> values(static_cast<std::size_t>(rows));
+  read_table(dataset, values.data(), rows, total, first, 0, H5T_NATIVE_INT);
+  return values;
+}
+
+void ParallelFile::make_list(const std::string& dataset, GlobalId total) {
+  const Silence silence;
+  const auto extent = static_cast<hsize_t>(total);
+  const Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose);
+  const Handle list(H5Dcreate2(file_, dataset.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                    H5Dclose);
+  agree(list.failed(), "refuses the dataset " + dataset);
+}
+
+// Portions are large and in one piece on every rank: nothing to be gained by handing them to fewer writers first.
+void ParallelFile::write_part(const std::string& dataset, const std::vector<double>& values, GlobalId first) {
+  const Silence silence;
+  const Handle list(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  bool failed = list.failed();
+  if (!failed && !values.empty()) {
+    const Handle space(H5Dget_space(list), H5Sclose);
+    select_rows(space, first, static_cast<int>(values.size()), 0);
+    const Handle memory = memory_space(static_cast<int>(values.size()), 0);
+    failed = H5Dwrite(list, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()) < 0;
+  }
+  agree(failed, "could not be written, dataset " + dataset);
+}
+
+std::vector<double> ParallelFile::read_part(const std::string& dataset, GlobalId first, std::size_t count) const {
+  const Silence silence;
+  std::vector<double> values(count);
+  const Handle list(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  bool failed = list.failed();
+  if (!failed && count > 0) {
+    const Handle space(H5Dget_space(list), H5Sclose);
+    select_rows(space, first, static_cast<int>(count), 0);
+    const Handle memory = memory_space(static_cast<int>(count), 0);
+    failed = H5Dread(list, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()) < 0;
+  }
+  agree(failed, "could not be read, dataset " + dataset);
   return values;
 }
 
@@ -163,12 +218,27 @@ void ParallelFile::set_attribute(const std::string& object, const std::string& n
   write_attribute(object, name, text_type(), texts.data(), &count);
 }
 
-double ParallelFile::number_attribute(const std::string& object, const std::string& name) const {
+void ParallelFile::read_attribute(const std::string& object, const std::string& name, std::int64_t type,
+                                  void* value) const {
   const Silence silence;
   const Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+  agree(attribute.failed() || H5Aread(attribute, type, value) < 0, "has no number " + name + " at " + object);
+}
+
+bool ParallelFile::has_attribute(const std::string& object, const std::string& name) const {
+  const Silence silence;
+  return has(object) && communicator_.any(H5Aexists_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0);
+}
+
+GlobalId ParallelFile::integer_attribute(const std::string& object, const std::string& name) const {
+  GlobalId value = 0;
+  read_attribute(object, name, H5T_NATIVE_LLONG, &value);
+  return value;
+}
+
+double ParallelFile::number_attribute(const std::string& object, const std::string& name) const {
   double value = 0;
-  agree(attribute.failed() || H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) < 0,
-        "has no number " + name + " at " + object);
+  read_attribute(object, name, H5T_NATIVE_DOUBLE, &value);
   return value;
 }
 

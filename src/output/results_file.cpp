@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
+#include "perinox/core/error.hpp"
 #include "perinox/output/agree.hpp"
 #include "perinox/output/parallel_file.hpp"
 #include "perinox/output/reserve.hpp"
+#include "perinox/output/results_reader.hpp"
 
 namespace perinox::output {
 
@@ -22,6 +25,11 @@ std::vector<double> three_columns(const double* values, std::size_t points, int 
 }
 
 constexpr double header_room = 64 * 1024;  ///< bytes for HDF5's own bookkeeping of a step
+
+/// HDF5 rewrites its table of contents in place, in some milliseconds: a run killed in them loses the file. Of small
+/// files, whose steps are short too, a copy is added to and renamed; large ones are spared the copy, and their steps
+/// are so long that those milliseconds are hardly ever hit.
+constexpr double copied_up_to = 16e6;  ///< bytes
 }  // namespace
 
 ResultsFile::ResultsFile(std::string directory, const std::string& title, const std::vector<std::string>& block_names,
@@ -33,7 +41,7 @@ ResultsFile::ResultsFile(std::string directory, const std::string& title, const 
       order_(communicator_, body.id, body.owned, body.total),
       index_(title, "results.h5", body.total),
       steps_as_time_(steps_as_time) {
-  require_room(6.0 * static_cast<double>(body.total));
+  require_room(6.0 * static_cast<double>(body.total), path_);
   const GlobalId n = order_.total();
   const GlobalId first = order_.first_row();
   ParallelFile file(path_, communicator_, ParallelFile::Mode::create);
@@ -51,19 +59,106 @@ ResultsFile::ResultsFile(std::string directory, const std::string& title, const 
   file.close();
 }
 
-void ResultsFile::require_room(double numbers) const {
+ResultsFile::ResultsFile(std::string directory, const std::string& title, const std::vector<std::string>& fields,
+                         const body::Body& body, Continue kept)
+    : directory_(std::move(directory)),
+      path_(directory_ + "/results.h5"),
+      communicator_(body.communicator),
+      dimension_(body.dimension),
+      order_(communicator_, body.id, body.owned, body.total),
+      index_(title, "results.h5", body.total) {
+  std::vector<long long> later;
+  std::string sentence;
+  if (communicator_.is_root()) try {
+      later = look_back(kept.last_step, fields);
+    } catch (const RunError& error) {
+      sentence = error.what();
+    }
+  agree_on_run_error(communicator_, sentence);
+  later = communicator_.gather(later);
+  if (!later.empty()) {
+    const std::string written = copy_if_small();
+    ParallelFile file(written, communicator_, ParallelFile::Mode::append);
+    for (const long long step : later) file.remove(fmt::format("/steps/{}", step));
+    file.close();
+    rename_copy(written);
+  }
+  if (communicator_.is_root()) sentence = replace_file(directory_ + "/results.xdmf", index_.text());
+  agree_on_run_error(communicator_, sentence);
+}
+
+std::vector<long long> ResultsFile::look_back(int last_step, const std::vector<std::string>& fields) {
+  const ResultsReader file(path_);
+  if (file.particles() != static_cast<std::size_t>(order_.total()))
+    throw RunError(fmt::format("{} holds {} particles, not {}", path_, file.particles(), order_.total()));
+  std::vector<long long> later;
+  for (const ResultsReader::Step& step : file.steps()) {
+    if (step.number > last_step) {
+      later.push_back(step.number);
+      continue;
+    }
+    std::vector<XdmfIndex::FieldShape> shapes;
+    for (const std::string& field : fields)
+      if (const int columns = file.columns(step.number, field); columns > 0)
+        shapes.push_back({field, columns == 1 ? 0 : columns});
+    for (const std::string& field : file.fields(step.number))
+      if (std::find(fields.begin(), fields.end(), field) == fields.end()) {
+        const int columns = file.columns(step.number, field);
+        shapes.push_back({field, columns == 1 ? 0 : columns});
+      }
+    index_.add_step(step.number, step.t, shapes);
+  }
+  return later;
+}
+
+void ResultsFile::sync() const {
+  std::string reason;
+  if (communicator_.is_root()) reason = sync_to_disk(path_);
+  agree_on_run_error(communicator_, reason.empty() ? reason : path_ + " could not be brought to the disk: " + reason);
+}
+
+void ResultsFile::require_room(double numbers, const std::string& path) const {
   const double bytes = numbers * static_cast<double>(sizeof(double)) + header_room;
-  agree_on_run_error(communicator_, communicator_.is_root() ? reserve(path_, bytes) : std::string());
+  agree_on_run_error(communicator_, communicator_.is_root() ? reserve(path, bytes) : std::string());
+}
+
+std::string ResultsFile::copy_if_small() const {
+  namespace fs = std::filesystem;
+  const std::string copy = path_ + ".part";
+  std::error_code error;
+  bool small = false;
+  if (communicator_.is_root()) {
+    small = static_cast<double>(fs::file_size(path_, error)) <= copied_up_to;
+    if (small && !error) fs::copy_file(path_, copy, fs::copy_options::overwrite_existing, error);
+    if (error) {  // no room for two
+      small = false;
+      fs::remove(copy, error);
+    }
+  }
+  return communicator_.any(small) ? copy : path_;
+}
+
+void ResultsFile::rename_copy(const std::string& written) const {
+  std::error_code error;
+  if (communicator_.is_root() && written != path_) std::filesystem::rename(written, path_, error);
+  agree_on_run_error(communicator_, error ? path_ + " cannot be replaced: " + error.message() : std::string());
 }
 
 void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve::Field>& fields) {
   double columns = 0;
   for (const solve::Field& field : fields) columns += std::max(1, XdmfIndex::columns_of(field.components));
-  require_room(columns * static_cast<double>(order_.total()));
+  const std::string written = copy_if_small();
+  try {
+    require_room(columns * static_cast<double>(order_.total()), written);
+  } catch (const RunError& error) {
+    std::error_code ignored;
+    if (communicator_.is_root() && written != path_) std::filesystem::remove(written, ignored);
+    throw RunError(path_ + std::string(error.what()).substr(written.size()));  // it begins with the name
+  }
 
   const std::string group = fmt::format("/steps/{}", record.step);
   std::vector<XdmfIndex::FieldShape> shapes;
-  ParallelFile file(path_, communicator_, ParallelFile::Mode::append);
+  ParallelFile file(written, communicator_, ParallelFile::Mode::append);
   file.make_group(group);
   file.set_attribute(group, "t", record.t);
   file.set_attribute(group, "load", record.t);
@@ -81,6 +176,7 @@ void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve
     shapes.push_back({field.name, width});
   }
   file.close();
+  rename_copy(written);
 
   std::string sentence;
   if (communicator_.is_root()) {

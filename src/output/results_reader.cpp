@@ -44,16 +44,26 @@ ResultsReader::~ResultsReader() {
 
 int ResultsReader::dimension() const { return static_cast<int>(number_attribute("/", "dimension")); }
 
-std::vector<ResultsReader::Step> ResultsReader::steps() const {
+std::vector<std::string> ResultsReader::names_in(const std::string& where) const {
   const Silence silence;
-  const Handle group(H5Gopen2(file_, "/steps", H5P_DEFAULT), H5Gclose);
+  const Handle group(H5Gopen2(file_, where.c_str(), H5P_DEFAULT), H5Gclose);
   H5G_info_t info{};
-  if (group.failed() || H5Gget_info(group, &info) < 0) fail(path_, "holds no steps");
-  std::vector<Step> steps;
+  if (group.failed() || H5Gget_info(group, &info) < 0) fail(path_, "holds no " + where);
+  std::vector<std::string> names;
   for (hsize_t k = 0; k < info.nlinks; ++k) {
-    std::array<char, 32> name{};
+    std::array<char, 64> name{};
     H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, k, name.data(), name.size(), H5P_DEFAULT);
-    const int number = std::atoi(name.data());
+    names.emplace_back(name.data());
+  }
+  return names;
+}
+
+std::vector<std::string> ResultsReader::fields(int step) const { return names_in(fmt::format("/steps/{}", step)); }
+
+std::vector<ResultsReader::Step> ResultsReader::steps() const {
+  std::vector<Step> steps;
+  for (const std::string& name : names_in("/steps")) {
+    const int number = std::atoi(name.c_str());
     steps.push_back({number, number_attribute(fmt::format("/steps/{}", number), "t")});
   }
   std::sort(steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.number < b.number; });

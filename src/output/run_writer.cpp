@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "perinox/core/error.hpp"
 #include "perinox/deck/read.hpp"
 #include "perinox/output/agree.hpp"
 #include "perinox/output/results_file.hpp"
@@ -78,21 +79,69 @@ struct RunWriter::Files {
 
 RunWriter::RunWriter(const deck::Deck& deck, const body::Body& body, std::string directory, bool quiet)
     : files_(std::make_unique<Files>(deck, body, std::move(directory))) {
+  begin(deck, body, quiet, nullptr);
+}
+
+RunWriter::RunWriter(const deck::Deck& deck, const body::Body& body, std::string directory, bool quiet,
+                     const Continuation& from)
+    : files_(std::make_unique<Files>(deck, body, std::move(directory))) {
+  begin(deck, body, quiet, &from);
+}
+
+void RunWriter::begin(const deck::Deck& deck, const body::Body& body, bool quiet, const Continuation* from) {
   Files& files = *files_;
-  const std::string moved = prepare_directory(files.directory, files.communicator);
+  const bool root = files.communicator.is_root();
+  if (root && !quiet) files.terminal.emplace(std::cout, screen_is_watched());
+  const auto say = [&](const std::string& sentence) {
+    if (files.terminal && !sentence.empty()) files.terminal->say(sentence);
+  };
+  const std::string history = files.directory + "/history.csv", convergence = files.directory + "/convergence.csv";
+  const HistoryTable::Columns columns{deck.breaks(), deck.may_move()};
+  long long history_kept = 0, convergence_kept = 0;
+  if (from == nullptr) {
+    say(prepare_directory(files.directory, files.communicator));
+  } else {
+    require_directory(files.directory, files.communicator);
+    const auto kept = [&](const char* file, const std::string& header, long long bytes) {
+      const bool fits = root && GrowingFile::continuable(files.directory + "/" + file, header, bytes);
+      if (files.communicator.any(fits)) return bytes;
+      say(set_aside(files.directory, file, files.communicator));
+      return 0LL;
+    };
+    history_kept = kept("history.csv", HistoryTable::header(history_names(deck), columns), from->history_bytes);
+    convergence_kept = kept("convergence.csv", ConvergenceTable::header(), from->convergence_bytes);
+  }
   std::string failure;
-  if (files.communicator.is_root()) {
-    if (!quiet) files.terminal.emplace(std::cout, screen_is_watched());
-    if (files.terminal && !moved.empty()) files.terminal->say(moved);
-    files.history.emplace(files.directory + "/history.csv", history_names(deck),
-                          HistoryTable::Columns{deck.breaks(), deck.may_move()});
-    files.convergence.emplace(files.directory + "/convergence.csv");
+  if (root) {
+    files.history.emplace(history, history_names(deck), columns, history_kept);
+    files.convergence.emplace(convergence, convergence_kept);
     failure = replace_file(files.directory + "/deck.resolved.yaml", deck::write_resolved(deck));
   }
   agree_on_run_error(files.communicator, failure);
   files.agree_on_tables();
+  if (from != nullptr) try {
+      files.results.emplace(files.directory, deck.title, files.asked_fields, body, ResultsFile::Continue{from->step});
+      return;
+    } catch (const RunError& error) {
+      say(fmt::format("results.h5 is begun anew after step {}: {}", from->step, error.what()));
+      say(set_aside(files.directory, "results.h5", files.communicator));
+    }
   files.results.emplace(files.directory, deck.title, block_names(deck), body,
                         deck.steps.control == deck::Control::arc_length);
+}
+
+RunWriter::Continuation RunWriter::sync(int step) {
+  Files& files = *files_;
+  const Profile::Scope timed(files.communicator.profile(), Section::output);
+  Continuation now;
+  now.step = step;
+  if (files.history) now.history_bytes = files.history->sync();
+  if (files.convergence) now.convergence_bytes = files.convergence->sync();
+  files.agree_on_tables();
+  files.results->sync();
+  now.history_bytes = files.communicator.max(now.history_bytes);
+  now.convergence_bytes = files.communicator.max(now.convergence_bytes);
+  return now;
 }
 
 RunWriter::~RunWriter() = default;

@@ -1,9 +1,11 @@
 #include "perinox/output/tables.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <iterator>
 #include <utility>
 
@@ -11,8 +13,15 @@
 
 namespace perinox::output {
 
-GrowingFile::GrowingFile(std::string path) : path_(std::move(path)), file_(std::fopen(path_.c_str(), "w")) {
-  if (file_ == nullptr) failure_ = fmt::format("{} cannot be created: {}", path_, std::strerror(errno));
+GrowingFile::GrowingFile(std::string path, const std::string& header, long long kept)
+    : path_(std::move(path)), file_(std::fopen(path_.c_str(), kept > 0 ? "r+" : "w")) {
+  if (file_ == nullptr) {
+    failure_ = fmt::format("{} cannot be {}: {}", path_, kept > 0 ? "gone on with" : "created", std::strerror(errno));
+  } else if (kept == 0) {
+    if (!header.empty()) append(header);
+  } else if (::ftruncate(::fileno(file_), kept) != 0 || std::fseek(file_, 0, SEEK_END) != 0) {
+    failure_ = fmt::format("{} cannot be gone on with: {}", path_, std::strerror(errno));
+  }
 }
 
 GrowingFile::~GrowingFile() {
@@ -23,6 +32,21 @@ void GrowingFile::append(const std::string& line) {
   if (!failure_.empty()) return;
   const bool written = std::fputs((line + "\n").c_str(), file_) >= 0 && std::fflush(file_) == 0;
   if (!written) failure_ = fmt::format("{} could not be written: {}", path_, std::strerror(errno));
+}
+
+long long GrowingFile::sync() {
+  if (!failure_.empty()) return 0;
+  if (::fsync(::fileno(file_)) != 0 && errno != EINVAL && errno != ENOTSUP)
+    failure_ = fmt::format("{} could not be brought to the disk: {}", path_, std::strerror(errno));
+  return std::ftell(file_);
+}
+
+bool GrowingFile::continuable(const std::string& path, const std::string& header, long long kept) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  if (kept <= 0 || !std::getline(file, line) || line != header) return false;
+  file.seekg(kept - 1);
+  return file.get() == '\n';
 }
 
 namespace {
@@ -38,14 +62,17 @@ std::string seconds_columns() {
 }
 }  // namespace
 
-HistoryTable::HistoryTable(const std::string& path, const std::vector<std::string>& names, Columns columns)
-    : file_(path), columns_(columns) {
+HistoryTable::HistoryTable(const std::string& path, const std::vector<std::string>& names, Columns columns,
+                           long long kept)
+    : file_(path, header(names, columns), kept), columns_(columns) {}
+
+std::string HistoryTable::header(const std::vector<std::string>& names, Columns columns) {
   std::string header = "step,t";
   for (const std::string& name : names) header += "," + csv_cell(name);
-  file_.append(header +
-               ",stored_energy,dissipated_energy,external_work,newton_iterations,linear_iterations,seconds,products" +
-               seconds_columns() + (columns.fracture ? ",passes,broken_bonds,released_energy,relaxed_energy" : "") +
-               (columns.motion ? ",time,time_steps,kinetic_energy,damped_energy,contact_energy" : ""));
+  return header +
+         ",stored_energy,dissipated_energy,external_work,newton_iterations,linear_iterations,seconds,products" +
+         seconds_columns() + (columns.fracture ? ",passes,broken_bonds,released_energy,relaxed_energy" : "") +
+         (columns.motion ? ",time,time_steps,kinetic_energy,damped_energy,contact_energy" : "");
 }
 
 void HistoryTable::row(const solve::StepRecord& record) {
@@ -68,10 +95,11 @@ void HistoryTable::row(const solve::StepRecord& record) {
   file_.append(line);
 }
 
-ConvergenceTable::ConvergenceTable(const std::string& path) : file_(path) {
-  file_.append(
-      "step,t,attempt,iteration,residual,relative_residual,update,relative_update,linear_iterations,forcing,"
-      "step_length");
+ConvergenceTable::ConvergenceTable(const std::string& path, long long kept) : file_(path, header(), kept) {}
+
+std::string ConvergenceTable::header() {
+  return "step,t,attempt,iteration,residual,relative_residual,update,relative_update,linear_iterations,forcing,"
+         "step_length";
 }
 
 void ConvergenceTable::row(const solve::NewtonIteration& row, int attempt) {

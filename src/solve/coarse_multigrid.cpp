@@ -5,6 +5,7 @@
 #include <Tpetra_Export.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
+#include <cstdlib>
 
 #include "perinox/core/tpetra.hpp"
 #include "perinox/solve/coarse_solver.hpp"
@@ -132,6 +133,9 @@ class Multigrid : public CoarseSolver {
       list.sublist("repartition: params").set("algorithm", "multijagged");
       list.sublist("user data").set("Coordinates", Teuchos::rcp_implicit_cast<tpetra::MultiVector>(coordinates));
     }
+    // The smoothers' estimates of eigenvalues start from random vectors, and Tpetra's go on from the C library's random
+    // numbers: a cycle made again later, or after a restart, is the same.
+    std::srand(1);
     const RCP<tpetra::Operator> as_operator = matrix_;
     cycle_ = MueLu::CreateTpetraPreconditioner(as_operator, list);
   }

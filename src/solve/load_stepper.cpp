@@ -40,6 +40,7 @@ LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
 void LoadStepper::run(Observer& observer) {
   const Communicator& ranks = scene_.body().communicator;
   const double begin = now();
+  const double done_before = step_ > 0 ? control_->share() : 0;
   double step_begin = begin;
   ProfileReading told = ranks.profile().read();  // at the last record
   while (!control_->finished()) {
@@ -66,12 +67,13 @@ void LoadStepper::run(Observer& observer) {
     const bool last = control_->finished();
     StepRecord row = record(result, last || step_ % deck_.output.every == 0);
     row.seconds = now() - step_begin;
-    row.remaining_seconds = (now() - begin) * (1 / control_->share() - 1);
+    row.remaining_seconds = (now() - begin) * (1 - control_->share()) / (control_->share() - done_before);
     row.last = last;
     const ProfileReading reading = ranks.profile().read();
     row.profile = ranks.slowest(reading - told);
     told = reading;
     observer.step_committed(row);
+    if (told_) told_(row);
     step_begin = now();
   }
 }

@@ -3,6 +3,7 @@
 #include <Ifpack2_Factory.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "perinox/solve/block_jacobi.hpp"
@@ -171,6 +172,16 @@ void TangentSystem::update(const mechanics::Committed& committed, const double* 
   assembled_->fill(*stored_, stiffness_scale_);
 }
 
+void TangentSystem::save(StateWriter& writer) const {
+  writer.number("tangent/stiffness_scale", stiffness_scale_);
+  if (two_level_) two_level_->save(writer);
+}
+
+void TangentSystem::restore(StateReader& reader) {
+  stiffness_scale_ = reader.number("tangent/stiffness_scale");
+  if (two_level_) two_level_->restore(reader);
+}
+
 void TangentSystem::update_preconditioner() {
   const Profile::Scope timed(scene_.body().communicator.profile(), Section::preconditioner);
   if (direct_) direct_->factorise();
@@ -179,6 +190,9 @@ void TangentSystem::update_preconditioner() {
   if (!sparse_) return;
   if (!sparse_->initialised) sparse_->preconditioner->initialize();
   sparse_->initialised = true;
+  // Estimates of eigenvalues start from random vectors, and Tpetra's go on from the C library's random numbers: from
+  // here they are the same in every call, whatever came before.
+  std::srand(1);
   sparse_->preconditioner->compute();
 }
 

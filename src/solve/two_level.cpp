@@ -108,8 +108,28 @@ void TwoLevel::set(const std::vector<double>& blocks, double diagonal, const std
   if (solver_ && !softened(shear_left)) return;
   shear_left_ = shear_left;
   if (!graph_) graph_ = scene_.bond_graph();
-  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, settings_.bulk_limit, shear_left);
-  add_springs(scene_, grid_, springs(blocks), matrix);
+  springs_ = springs(blocks);
+  make_coarse();
+}
+
+void TwoLevel::save(StateWriter& writer) const {
+  if (!solver_) return;
+  const std::vector<double> all(static_cast<std::size_t>(scene_.owned()), 1.0);
+  writer.particles("tangent/coarse_springs", springs_.data(), scene_.dimension());
+  writer.particles("tangent/coarse_shear_left", shear_left_.empty() ? all.data() : shear_left_.data(), 1);
+}
+
+void TwoLevel::restore(StateReader& reader) {
+  if (!reader.has("tangent/coarse_springs")) return;
+  springs_ = reader.particles("tangent/coarse_springs", scene_.dimension());
+  shear_left_ = reader.particles("tangent/coarse_shear_left", 1);
+  make_coarse();
+}
+
+void TwoLevel::make_coarse() {
+  if (!graph_) graph_ = scene_.bond_graph();
+  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, settings_.bulk_limit, shear_left_);
+  add_springs(scene_, grid_, springs_, matrix);
   for (std::size_t n = 0; n < grid_.node_ids().size(); ++n) {
     double* block = matrix.block(static_cast<LocalIndex>(n), static_cast<LocalIndex>(n));
     for (int c = 0; c < matrix.dimension; ++c) block[c * (matrix.dimension + 1)] *= 1 + grounding;

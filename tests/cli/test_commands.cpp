@@ -142,7 +142,8 @@ TEST(Run, StopsShortWithTheReasonAndTheLastGoodStepOnDisk) {
   EXPECT_THAT(outcome.error,
               StartsWith("perinox: stopped at t = 0.75 of 1, after 3 converged steps: the step to t = 1 does "
                          "not converge and steps.adaptive is false; "));
-  EXPECT_EQ(lines_of(outcome.error).size(), 1) << outcome.error;
+  EXPECT_EQ(lines_of(outcome.error).size(), 2) << outcome.error;
+  EXPECT_THAT(outcome.error, HasSubstr("\nresume with: perinox run deck.yaml --restart r/checkpoint.h5\n"));
   EXPECT_EQ(history_without_seconds(folder.path() / "r").size(), 4);
   EXPECT_EQ(count(read(folder.path() / "r/results.xdmf"), "<Time "), 3);
 }
@@ -154,7 +155,7 @@ TEST(Run, KeepsEarlierResults) {
   const std::string first = read(folder.path() / "r/history.csv");
   const Outcome again = folder.perinox({"run", "deck.yaml", "--output", "r"});
   EXPECT_EQ(again.status, 0);
-  EXPECT_THAT(again.out, HasSubstr("r held earlier results: 5 files are moved to r/previous-1\n"));
+  EXPECT_THAT(again.out, HasSubstr("r held earlier results: 6 files are moved to r/previous-1\n"));
   EXPECT_EQ(read(folder.path() / "r/previous-1/history.csv"), first);
 }
 

@@ -14,6 +14,7 @@ struct Options {
   std::string deck;
   std::string output;                  ///< --output; empty: results/<deck's name>
   std::vector<std::string> overrides;  ///< --set key.path=value
+  std::string restart;                 ///< --restart: a checkpoint, or the directory of one; empty: from t = 0
   bool quiet = false;
 };
 

@@ -19,6 +19,17 @@ class PlasticExtension {
   void require(std::size_t k, std::size_t blocks, std::size_t count);
   std::size_t bytes() const { return bytes_; }
 
+  /// 1 for every particle whose family has flowed: e_p is zero at the others' ends. [owned], empty where none has.
+  const std::vector<char>& flowed() const { return flowed_; }
+  /// Notes the particles that flow in a step. flow: [owned].
+  void mark(const std::vector<double>& flow);
+  /// e_p at these particles' own ends, appended to `values`: the bonds of one particle after the other, in ascending id
+  /// of the neighbour, 0 where nothing has flowed. For saving a state: an order that depends neither on the layout of
+  /// the loops nor on the ranks. Of pairs all are gone through once a call.
+  void read(const Scene& scene, const std::vector<LocalIndex>& particles, std::vector<double>& values) const;
+  /// The way back, into chunks that are there; values for others are passed over.
+  void write(const Scene& scene, const std::vector<LocalIndex>& particles, const std::vector<double>& values);
+
   /// e_p of every bond of scene.bonds(), in its order. For the sparse assembly and for checks.
   std::vector<double> per_bond(const Scene& scene) const;
 
@@ -28,6 +39,7 @@ class PlasticExtension {
   };
   std::vector<double*> chunks_;
   std::vector<std::unique_ptr<double[], Free>> owned_;
+  std::vector<char> flowed_;
   std::size_t bytes_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "perinox/core/saved_state.hpp"
 #include "perinox/mechanics/plastic_extension.hpp"
 #include "perinox/mechanics/scene.hpp"
 
@@ -35,6 +36,11 @@ class Committed {
   /// The trial, evaluated from this state, becomes the truth. Plastic extension grows in place.
   void advance(const Scene& scene, Trial&& trial);
 
+  /// Everything this state holds, and the way back: the same numbers in the same places on as many ranks. Collective.
+  /// restore() throws InputError if the saved state is of another body.
+  void save(const Scene& scene, StateWriter& writer) const;
+  void restore(const Scene& scene, StateReader& reader);
+
   double t() const { return t_; }
   const std::vector<double>& displacement() const { return displacement_; }
   const std::vector<double>& point_history() const { return point_history_; }
@@ -54,6 +60,8 @@ class Committed {
   }
 
  private:
+  static std::uint64_t new_version();
+
   double t_ = 0;
   std::vector<double> displacement_;
   std::vector<double> point_history_;

@@ -15,14 +15,17 @@ class ParallelFile {
  public:
   enum class Mode { create, append, read };
 
-  /// Mode create replaces an existing file.
-  ParallelFile(std::string path, const Communicator& communicator, Mode mode);
+  /// Mode create replaces an existing file; user_block bytes at its beginning (0, or a power of two from 512) are left
+  /// to the caller.
+  ParallelFile(std::string path, const Communicator& communicator, Mode mode, int user_block = 0);
   ~ParallelFile();
   ParallelFile(const ParallelFile&) = delete;
   ParallelFile& operator=(const ParallelFile&) = delete;
 
   void make_group(const std::string& name);
   bool has(const std::string& name) const;
+  /// A group or dataset with all that is in it; the room it took stays in the file.
+  void remove(const std::string& name);
 
   /// columns 0: dataset [total]; otherwise [total, columns]. values: this rank's rows, row-major.
   void write_rows(const std::string& dataset, const std::vector<double>& values, GlobalId total, GlobalId first,
@@ -33,11 +36,19 @@ class ParallelFile {
   std::vector<double> read_rows(const std::string& dataset, GlobalId total, GlobalId first, int rows,
                                 int columns = 0) const;
 
+  std::vector<int> read_integers(const std::string& dataset, GlobalId total, GlobalId first, int rows) const;
+  /// A list [total] that is written and read in portions: this rank's values begin at `first`; a rank may have none.
+  void make_list(const std::string& dataset, GlobalId total);
+  void write_part(const std::string& dataset, const std::vector<double>& values, GlobalId first);
+  std::vector<double> read_part(const std::string& dataset, GlobalId first, std::size_t count) const;
+
   /// Attribute of a group or dataset ("/" is the file itself). The same value on every rank.
   void set_attribute(const std::string& object, const std::string& name, double value);
   void set_attribute(const std::string& object, const std::string& name, GlobalId value);
   void set_attribute(const std::string& object, const std::string& name, const std::string& value);
   void set_attribute(const std::string& object, const std::string& name, const std::vector<std::string>& values);
+  bool has_attribute(const std::string& object, const std::string& name) const;
+  GlobalId integer_attribute(const std::string& object, const std::string& name) const;
   double number_attribute(const std::string& object, const std::string& name) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;
 
@@ -49,6 +60,9 @@ class ParallelFile {
                    int columns, std::int64_t type);
   void write_attribute(const std::string& object, const std::string& name, std::int64_t type, const void* value,
                        const std::size_t* count);
+  void read_table(const std::string& dataset, void* values, int rows, GlobalId total, GlobalId first, int columns,
+                  std::int64_t type) const;
+  void read_attribute(const std::string& object, const std::string& name, std::int64_t type, void* value) const;
   void agree(bool failed, const std::string& doing) const;
 
   std::string path_;

@@ -8,4 +8,7 @@ namespace perinox::output {
 /// (the file is then as before), else "".
 std::string reserve(const std::string& path, double bytes);
 
+/// Brings a file or a directory to the disk. Returns the system's reason if it cannot, else "". One rank calls it.
+std::string sync_to_disk(const std::string& path);
+
 }  // namespace perinox::output

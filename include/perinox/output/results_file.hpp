@@ -19,17 +19,33 @@ class ResultsFile {
   /// t turns back. Collective. Throws RunError: path and reason.
   ResultsFile(std::string directory, const std::string& title, const std::vector<std::string>& block_names,
               const body::Body& body, bool steps_as_time = false);
+  /// The last step that is kept.
+  struct Continue {
+    int last_step = 0;
+  };
+  /// Goes on with the file of an earlier run on the same particles: later steps are removed. fields: in the
+  /// order in which results.xdmf shows them. Collective. Throws RunError if the file is not there, damaged, or of
+  /// another number of particles.
+  ResultsFile(std::string directory, const std::string& title, const std::vector<std::string>& fields,
+              const body::Body& body, Continue kept);
 
   /// Group /steps/<record.step> with the attributes t, load (the same number), newton_iterations, linear_iterations and
   /// one dataset a field: [n, 3] for vectors (2-D: third column zero), [n] for scalars. Collective. Throws RunError if
   /// the disk refuses; the room is reserved first, so that a full disk leaves the earlier steps whole.
   void write(const solve::StepRecord& record, const std::vector<solve::Field>& fields);
 
+  /// Brings the file to the disk; rank 0 does. Collective. Throws RunError.
+  void sync() const;
   const std::string& path() const { return path_; }
 
  private:
-  /// Reserves room for so many numbers at the end of the file, or RunError on every rank.
-  void require_room(double numbers) const;
+  /// Rank 0: fills the index with the steps that stay, returns the others.
+  std::vector<long long> look_back(int last_step, const std::vector<std::string>& fields);
+  /// Reserves room for so many numbers at the end of a file, or RunError on every rank.
+  void require_room(double numbers, const std::string& path) const;
+  /// The file to be added to: a copy, which rename_copy() puts in the place of the file, or the file.
+  std::string copy_if_small() const;
+  void rename_copy(const std::string& written) const;
 
   std::string directory_;
   std::string path_;

@@ -28,12 +28,15 @@ class ResultsReader {
   std::vector<double> volume() const { return read("/particles/volume", 1); }
   /// In the order of their numbers.
   std::vector<Step> steps() const;
+  /// Names of the fields of a step.
+  std::vector<std::string> fields(int step) const;
   /// 3 of a vector, 1 of a scalar, 0 if the step holds no such field.
   int columns(int step, const std::string& field) const;
   /// [particles * columns]
   std::vector<double> field(int step, const std::string& field) const;
 
  private:
+  std::vector<std::string> names_in(const std::string& group) const;
   std::vector<double> read(const std::string& dataset, int columns) const;
   double number_attribute(const std::string& object, const std::string& name) const;
 

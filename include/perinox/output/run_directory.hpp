@@ -11,4 +11,11 @@ namespace perinox::output {
 /// to.
 std::string prepare_directory(const std::string& directory, const Communicator& communicator);
 
+/// The same without moving anything, for a run that goes on in the directory of an earlier one.
+void require_directory(const std::string& directory, const Communicator& communicator);
+
+/// Moves one file of the directory into the first free `directory/previous-<N>`. Returns a sentence, "" if it was not
+/// there. Collective. Throws InputError if it cannot be moved.
+std::string set_aside(const std::string& directory, const std::string& file, const Communicator& communicator);
+
 }  // namespace perinox::output

@@ -16,6 +16,18 @@ class RunWriter : public solve::Observer {
   /// Creates the directory; results that it already holds are moved into its folder previous-<N>, which is said in one
   /// line. Collective. Throws InputError if the directory cannot be used, RunError if a file cannot be created.
   RunWriter(const deck::Deck& deck, const body::Body& body, std::string directory, bool quiet);
+
+  /// Up to where the files of an earlier run are kept, as its checkpoint says.
+  struct Continuation {
+    int step = 0;
+    long long history_bytes = 0;
+    long long convergence_bytes = 0;
+  };
+  /// Goes on with the files of the directory behind a committed step: later rows and steps are dropped. A file that
+  /// cannot be gone on with (lost, damaged, of other columns) is moved into previous-<N>, which is said, and begun
+  /// anew.
+  RunWriter(const deck::Deck& deck, const body::Body& body, std::string directory, bool quiet,
+            const Continuation& from);
   ~RunWriter() override;
 
   void newton_iteration(const solve::NewtonIteration& row) override;
@@ -25,11 +37,15 @@ class RunWriter : public solve::Observer {
   /// history.csv: every step; results.h5: every deck.output.every-th step and the last, with displacement, force and
   /// the fields of deck.output.fields that the scene carries. Collective. Throws RunError if the disk refuses.
   void step_committed(const solve::StepRecord& record) override;
+  /// Brings all files to the disk. Returns how long the tables are: the same on every rank. Collective. Throws
+  /// RunError.
+  Continuation sync(int step);
   /// Writes the last converged step to results.h5 if `every` has left it out.
   void run_stopped(const solve::StepRecord* last) override;
 
  private:
   struct Files;
+  void begin(const deck::Deck& deck, const body::Body& body, bool quiet, const Continuation* from);
   std::unique_ptr<Files> files_;
 };
 

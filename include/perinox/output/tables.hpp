@@ -11,12 +11,18 @@ namespace perinox::output {
 /// it. Failures are kept, not thrown, until the ranks can speak about them together: see failure().
 class GrowingFile {
  public:
-  explicit GrowingFile(std::string path);
+  /// kept 0: a new file that begins with the header, if there is one. Otherwise the file goes on behind its first
+  /// `kept` bytes, and what follows them is dropped: see continuable().
+  explicit GrowingFile(std::string path, const std::string& header = "", long long kept = 0);
   ~GrowingFile();
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;
 
   void append(const std::string& line);
+  /// Brings it to the disk. Returns its length in bytes.
+  long long sync();
+  /// True if a file begins with this header, has `kept` bytes and a line ends there.
+  static bool continuable(const std::string& path, const std::string& header, long long kept);
   /// The first failure as a sentence with the path and the reason; "" if there was none.
   const std::string& failure() const { return failure_; }
 
@@ -37,8 +43,11 @@ class HistoryTable {
     bool motion = false;
   };
   HistoryTable(const std::string& path, const std::vector<std::string>& names) : HistoryTable(path, names, {}) {}
-  HistoryTable(const std::string& path, const std::vector<std::string>& names, Columns columns);
+  /// kept: bytes of an existing table that stay; 0: a new one.
+  HistoryTable(const std::string& path, const std::vector<std::string>& names, Columns columns, long long kept = 0);
   void row(const solve::StepRecord& record);
+  static std::string header(const std::vector<std::string>& names, Columns columns);
+  long long sync() { return file_.sync(); }
   const std::string& failure() const { return file_.failure(); }
 
  private:
@@ -51,8 +60,10 @@ class HistoryTable {
 /// a rejected attempt stay, those of the shorter one follow with the next attempt number (and their own t).
 class ConvergenceTable {
  public:
-  explicit ConvergenceTable(const std::string& path);
+  explicit ConvergenceTable(const std::string& path, long long kept = 0);
   void row(const solve::NewtonIteration& row, int attempt);
+  static std::string header();
+  long long sync() { return file_.sync(); }
   const std::string& failure() const { return file_.failure(); }
 
  private:

@@ -41,6 +41,16 @@ class LoadStepper {
   using Converged = std::function<void(const mechanics::Committed& before, const mechanics::Trial& after)>;
   void on_convergence(Converged callback) { converged_ = std::move(callback); }
 
+  /// Called after the observer has been told of a committed step, on every rank; a RunError it throws ends the run
+  /// there.
+  using Told = std::function<void(const StepRecord& record)>;
+  void on_commit(Told callback) { told_ = std::move(callback); }
+
+  /// Everything run() goes on from, and the way back: restored on as many ranks, the run goes on to the last bit as it
+  /// would have. restore() is called before run(). Collective.
+  void save(StateWriter& writer) const;
+  void restore(StateReader& reader);
+
   const mechanics::Committed& committed() const { return committed_; }
   const Boundary& boundary() const { return boundary_; }
   Newton& newton() { return newton_; }
@@ -78,6 +88,7 @@ class LoadStepper {
   std::vector<double> force_, external_, dilatation_, stored_energy_;
   Converged converged_;
   StepRecords records_;
+  Told told_;
   int step_ = 0;
   int passes_ = 0;                   ///< of the step at hand
   std::optional<MotionRow> motion_;  ///< where the run may go on in time

@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "perinox/deck/deck.hpp"
@@ -26,6 +27,12 @@ class StepControl {
   virtual bool cut() = 0;
   /// Share of the run that is done, for an estimate of the time left: above 0, at most 1.
   virtual double share() const = 0;
+  /// What the next attempt goes on from, and the way back, the committed state being that of then. Throws
+  /// std::logic_error where it is not there yet: deck::not_in_checkpoints. Collective.
+  virtual void save(StateWriter&) const { throw std::logic_error("this step control keeps nothing for a restart"); }
+  virtual void restore(const mechanics::Committed&, StateReader&) {
+    throw std::logic_error("this step control takes nothing from a checkpoint");
+  }
 };
 
 /// steps.control: load. Whole steps end at t = end * k/count exactly; a cut step never passes such a t.
@@ -41,6 +48,8 @@ class LoadSteps : public StepControl {
   void jumped(double t) override;
   bool cut() override;
   double share() const override { return tried_ / steps_.end; }
+  void save(StateWriter& writer) const override;
+  void restore(const mechanics::Committed& committed, StateReader& reader) override;
 
  private:
   double whole_end() const { return steps_.end * (done_ + 1) / steps_.count; }

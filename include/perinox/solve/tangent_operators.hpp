@@ -2,6 +2,7 @@
 #include <memory>
 #include <vector>
 
+#include "perinox/core/saved_state.hpp"
 #include "perinox/core/tpetra.hpp"
 #include "perinox/mechanics/assembled_tangent.hpp"
 #include "perinox/mechanics/tangent.hpp"
@@ -26,6 +27,11 @@ class TangentSystem {
   /// Brings the preconditioner to the tangent of the last update(). The coarse part of two-level is made at the first
   /// call and kept. Collective.
   void update_preconditioner();
+
+  /// What the next step would find here of the steps before, and the way back: the scale of stiffness, and what the
+  /// coarse part of two-level is made of, which is made again. Collective.
+  void save(StateWriter& writer) const;
+  void restore(StateReader& reader);
 
   const mechanics::Tangent& tangent() const { return *tangent_; }
   Teuchos::RCP<tpetra::Operator> linear_operator() const { return operator_; }

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "perinox/core/saved_state.hpp"
 #include "perinox/solve/block_jacobi.hpp"
 #include "perinox/solve/coarse_solver.hpp"
 
@@ -40,6 +41,10 @@ class TwoLevel : public OwnedOperator {
   void set(const std::vector<double>& blocks, double diagonal, const std::vector<double>& shear_left = {});
   void multiply(const double* x, double* y) const override;
 
+  /// What A_c was made of, and A_c made of it again. Nothing where it has not been made. Collective.
+  void save(StateWriter& writer) const;
+  void restore(StateReader& reader);
+
   const CoarseGrid& grid() const { return grid_; }
   const BlockJacobi& block_jacobi() const { return block_jacobi_; }
   /// Null before the first set().
@@ -51,11 +56,14 @@ class TwoLevel : public OwnedOperator {
  private:
   bool softened(const std::vector<double>& shear_left) const;
   std::vector<double> springs(const std::vector<double>& blocks) const;
+  /// Makes A_c of springs_ and shear_left_.
+  void make_coarse();
 
   const mechanics::Scene& scene_;
   const std::vector<char>& prescribed_;
   bonds::BondGraph graph_;          ///< until A_c is first made
   std::vector<double> shear_left_;  ///< of A_c
+  std::vector<double> springs_;     ///< of A_c, [owned * dimension]
   Settings settings_;
   BlockJacobi block_jacobi_;
   CoarseGrid grid_;

@@ -1,0 +1,132 @@
+#include "checkpointing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "perinox/core/error.hpp"
+#include "perinox/deck/read.hpp"
+#include "stop_signal.hpp"
+
+namespace perinox::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A step is taken for granted to last this many times the one before at most.
+constexpr double caution = 1.25;
+
+/// As a shell takes it for one word.
+std::string word(const std::string& text) {
+  const bool plain = !text.empty() && text.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789_-+=./:,@%") == std::string::npos;
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char letter : text) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
+
+}  // namespace
+
+double steady_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::optional<Restart> find_restart(const Options& options, const deck::Deck& deck, const Communicator& communicator) {
+  if (options.restart.empty()) return {};
+  Restart from;
+  from.file =
+      fs::is_directory(options.restart) ? (fs::path(options.restart) / "checkpoint.h5").string() : options.restart;
+  from.directory = fs::path(from.file).parent_path().string();
+  if (from.directory.empty()) from.directory = ".";
+  from.head = output::read_checkpoint_head(from.file, communicator);
+  std::string sentence = deck::not_in_checkpoints(deck);
+  if (!sentence.empty())
+    sentence = fmt::format("{}: --restart cannot go on with {}: no checkpoint holds that yet; start the run without it",
+                           deck.file, sentence);
+  communicator.agree_on_input_error(sentence);
+  try {
+    const deck::Deck before = deck::read_text(from.head.deck, "the deck in " + from.file, full_schema());
+    sentence = deck::refuse_changes(deck::changed_keys(before.resolved, deck.resolved), deck, from.file, from.head.t);
+  } catch (const InputError& error) {
+    sentence =
+        fmt::format("{} (written by perinox {}; this is {})", error.what(), from.head.perinox_version, PERINOX_VERSION);
+  }
+  communicator.agree_on_input_error(sentence);
+  return from;
+}
+
+Checkpointing::Checkpointing(const Options& options, const deck::Deck& deck, const solve::LoadStepper& stepper,
+                             output::RunWriter& writer, const body::Body& body, const std::string& directory,
+                             double begin)
+    : options_(options),
+      deck_(deck),
+      stepper_(stepper),
+      writer_(writer),
+      communicator_(body.communicator),
+      asked_(deck::checkpoints(deck)),
+      possible_(deck::not_in_checkpoints(deck).empty()),
+      resolved_(deck::write_resolved(deck)),
+      file_((fs::path(directory) / "checkpoint.h5").string(), body),
+      begin_(begin),
+      last_(steady_seconds()) {}
+
+void Checkpointing::committed(const solve::StepRecord& record) {
+  const bool due = possible_ && asked_.every > 0 && (record.last || record.step % asked_.every == 0);
+  if (due) write(record);
+  const std::string reason = record.last ? "" : reason_to_stop(record);
+  if (reason.empty()) return;
+  if (!due && possible_) write(record);
+  throw RunError(
+      fmt::format("stopped after step {}, t = {:.10g} of {:g}: {}", record.step, record.t, deck_.steps.end, reason));
+}
+
+void Checkpointing::write(const solve::StepRecord& record) {
+  const output::RunWriter::Continuation tables = writer_.sync(record.step);
+  const Profile::Scope timed(communicator_.profile(), Section::output);
+  output::CheckpointHead head;
+  head.step = record.step;
+  head.t = record.t;
+  head.deck = resolved_;
+  head.history_bytes = tables.history_bytes;
+  head.convergence_bytes = tables.convergence_bytes;
+  file_.write(head, [&](StateWriter& writer) { stepper_.save(writer); });
+  ++count_;
+}
+
+std::string Checkpointing::reason_to_stop(const solve::StepRecord&) {
+  const double now = steady_seconds();
+  // Of late: a long step is forgotten slowly, so that one short step after it does not make the run reckless.
+  longest_ = std::max(now - last_, 0.8 * longest_);
+  last_ = now;
+  const std::string signal = noted_signal();
+  if (communicator_.any(!signal.empty())) {
+    // Only one of the ranks may know which.
+    const std::vector<long long> numbers = communicator_.gather(static_cast<long long>(signal.empty()        ? 0
+                                                                                       : signal == "SIGTERM" ? 1
+                                                                                       : signal == "SIGINT"  ? 2
+                                                                                                             : 3));
+    const long long number = *std::max_element(numbers.begin(), numbers.end());
+    return fmt::format("{} was received", number == 1 ? "SIGTERM" : number == 2 ? "SIGINT" : "SIGUSR1");
+  }
+  if (!asked_.time_limit) return "";
+  const bool late = now - begin_ + caution * longest_ > *asked_.time_limit;
+  if (!communicator_.any(late)) return "";
+  return fmt::format("another step may not end before steps.time_limit = {:g} s", *asked_.time_limit);
+}
+
+std::string Checkpointing::resume_command() const {
+  const std::string file = count_ > 0 ? file_.path() : options_.restart;
+  if (file.empty()) return "";
+  std::string command = communicator_.size() > 1 ? fmt::format("mpirun -np {} ", communicator_.size()) : "";
+  command += fmt::format("perinox run {} --restart {}", word(options_.deck), word(file));
+  for (const std::string& set : options_.overrides) command += " --set " + word(set);
+  if (count_ == 0 && !options_.output.empty()) command += " --output " + word(options_.output);
+  return command;
+}
+
+}  // namespace perinox::app

@@ -1,0 +1,59 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "perinox/app/commands.hpp"
+#include "perinox/deck/restart.hpp"
+#include "perinox/output/checkpoint.hpp"
+#include "perinox/output/run_writer.hpp"
+#include "perinox/solve/load_stepper.hpp"
+
+namespace perinox::app {
+
+/// The checkpoint that a run goes on from.
+struct Restart {
+  std::string file;
+  std::string directory;  ///< that holds it
+  output::CheckpointHead head;
+};
+
+/// Reads the head of options.restart and compares its deck with this one. Nothing without --restart. Collective; throws
+/// InputError: not whole, or keys differ that may not.
+std::optional<Restart> find_restart(const Options& options, const deck::Deck& deck, const Communicator& communicator);
+
+/// Writes checkpoints as a run goes, and stops it between two steps: when a signal has been noted or the deck's time is
+/// nearly up.
+class Checkpointing {
+ public:
+  /// Everything is kept by reference. begin: seconds of the steady clock at which the run's time began.
+  Checkpointing(const Options& options, const deck::Deck& deck, const solve::LoadStepper& stepper,
+                output::RunWriter& writer, const body::Body& body, const std::string& directory, double begin);
+
+  /// To be called after every committed step. Collective. Throws RunError to stop the run.
+  void committed(const solve::StepRecord& record);
+
+  /// The command that goes on from the last checkpoint, "" if there is none.
+  std::string resume_command() const;
+
+ private:
+  void write(const solve::StepRecord& record);
+  std::string reason_to_stop(const solve::StepRecord& record);
+
+  const Options& options_;
+  const deck::Deck& deck_;
+  const solve::LoadStepper& stepper_;
+  output::RunWriter& writer_;
+  Communicator communicator_;
+  deck::Checkpoints asked_;
+  bool possible_;  ///< a checkpoint would hold everything
+  std::string resolved_;
+  output::CheckpointWriter file_;
+  double begin_, last_ = 0;
+  double longest_ = 0;  ///< from one committed step to the next, of late
+  int count_ = 0;       ///< checkpoints written
+};
+
+/// Seconds of the steady clock.
+double steady_seconds();
+
+}  // namespace perinox::app
