@@ -3,6 +3,7 @@
 #include "perinox/app/commands.hpp"
 #include "perinox/app/scene_report.hpp"
 #include "perinox/deck/read.hpp"
+#include "perinox/solve/bond_limits.hpp"
 #include "perinox/solve/boundary.hpp"
 #include "perinox/solve/time_stepper.hpp"
 
@@ -39,9 +40,14 @@ int check(const Options& options, const Communicator& communicator) {
   const solve::Boundary boundary(problem.deck, problem.scene);
   say_remarks(boundary, communicator);
   const std::string in_time = motion_in_words(problem, communicator);
+  std::string damage;
+  if (problem.deck.breaks())
+    for (const std::string& line : solve::describe(solve::bond_limits(problem.deck, problem.scene), problem.deck))
+      damage += fmt::format("  {}\n", line);
   if (!communicator.is_root() || options.quiet) return 0;
   fmt::print("{}{}", problem.report.summary, problem.report.details);
   fmt::print("boundary\n  {} unknowns prescribed, {} free\n", boundary.prescribed_count(), boundary.free_count());
+  if (!damage.empty()) fmt::print("fracture\n{}", damage);
   fmt::print("{}", in_time);
   fmt::print("\n# the resolved deck\n{}", deck::write_resolved(problem.deck));
   fmt::print("# {} is a valid deck\n", options.deck);
