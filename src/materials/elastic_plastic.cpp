@@ -64,6 +64,7 @@ PointState ElasticPlastic::state(const FamilySums& sums, const double* committed
   point.back = r.alpha * overlay_ * inner_;
   point.pressure = parameters_.bulk * r.dilatation;
   point.radial = d * point.pressure / sums.weighted_volume - point.shear * point.mean;
+  if (parameters_.with_dilatation) point.radial += (point.shear - point.back) * tilt(sums);
   point.flow = 1 - r.scale;  // e_p + Delta lambda t_d/omega (45)
   const double delta_lambda = r.yielding ? (1 / r.scale - 1) / r.alpha * inner_ : 0;  // (44)
   trial[multiplier] = committed[multiplier] + delta_lambda;
@@ -91,6 +92,7 @@ PointModulus ElasticPlastic::modulus(const FamilySums& sums, const double* commi
   point.shear = r.alpha * (r.scale + overlay_) * inner_;
   const bool printed = form == deck::TangentForm::printed && r.yielding;
   if (parameters_.with_dilatation) {
+    point.mean -= tilt(sums);
     point.bulk = parameters_.bulk;
     // Eq. 65 as printed lacks the factor 3/m of the dilatation's gradient.
     point.radial =

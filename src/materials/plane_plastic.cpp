@@ -114,7 +114,8 @@ PointState PlanePlastic::state(const FamilySums& sums, const double* committed, 
   const double z = trial[strain_zz];
   point.pressure = stress_ ? (h > 0 ? plane_bulk_ * (r.dilatation + z) : out)
                            : parameters_.bulk * r.dilatation - mu * (out - h * theta3) / (1 + h);
-  point.radial = 2 * point.pressure / sums.weighted_volume - point.shear * point.mean;
+  point.radial =
+      2 * point.pressure / sums.weighted_volume - point.shear * point.mean + (point.shear - point.back) * tilt(sums);
   point.flow = 1 - r.shear;
 
   PointResponse& response = point.response;
@@ -147,7 +148,7 @@ PointModulus PlanePlastic::modulus(const FamilySums& sums, const double* committ
   point.radial = (4 * point.bulk - point.shear * m) / (m * m);
   point.flow = r.flow;
   point.flow_pressure = r.flow_pressure;
-  point.mean = r.dilatation / 2 - 2 * r.flow_pressure / m;
+  point.mean = r.dilatation / 2 - tilt(sums) - 2 * r.flow_pressure / m;
   return point;
 }
 

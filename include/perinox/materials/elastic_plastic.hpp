@@ -7,6 +7,10 @@
 
 namespace perinox::materials {
 
+/// e_p of a family that has lost bonds need not be deviatoric: half the gradient of sums.square_about(theta/d) is
+/// omega (e - (theta/d - tilt) xi - e_p). 0 of a whole family, and where the strain is fitted: the fit has it.
+inline double tilt(const FamilySums& sums) { return sums.fitted ? 0 : sums.plastic / sums.weighted_volume; }
+
 /// Ordinary state-based plasticity, Mitchell 2011 Eq. 27-45, 51-57, 63-65 with its errata mended, for every influence
 /// function (1/omega-weighted norm), perfect, with isotropic hardening (linear or a table), with linear kinematic
 /// hardening (Prager), or both; 3-D. PlanePlastic is its 2-D form.
