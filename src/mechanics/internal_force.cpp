@@ -118,6 +118,20 @@ void internal_force_in_motion(const Scene& scene, const Committed& committed, Tr
                                    committed.plastic(), force);
 }
 
+void force_states_in_motion(const Scene& scene, double* points) {
+  const Evaluation::Law& law = scene.evaluation().law();
+  const auto n = static_cast<std::size_t>(bonds::mandel_size(scene.dimension()));
+  const std::vector<std::int32_t>& fit = scene.families().fit;
+  for (LocalIndex i = 0; i < scene.owned(); ++i, points += 2 + n) {
+    points[0] = law.radial[i];
+    points[1] = law.shear[i];
+    if (!fit.empty() && fit[i] >= 0)
+      std::copy_n(law.state[static_cast<std::size_t>(fit[i])].begin(), n, points + 2);
+    else
+      std::fill_n(points + 2, n, 0.0);
+  }
+}
+
 std::string first_not_finite(const Scene& scene, const Trial& trial, const double* force) {
   const int d = scene.dimension();
   for (LocalIndex i = 0; i < scene.owned(); ++i) {

@@ -102,45 +102,60 @@ double BondBreaking::ratio(LocalIndex lower, LocalIndex upper, double length, do
 
 BondBreaking::Result BondBreaking::break_worst(const mechanics::Committed& state, long long most) {
   find_points(state);
-  return break_above(state.displacement().data(), most);
+  const double* displacement = state.displacement().data();
+  Judged judged;
+  if (scene_.lattice())
+    scene_.lattice()->each([&](LocalIndex near, LocalIndex far, const bonds::StencilOffset& offset) {
+      judge(near, far, offset.length, offset.influence * offset.share, displacement, judged);
+    });
+  else
+    scene_.pairs()->each([&](LocalIndex near, LocalIndex far, double length, double weight) {
+      judge(near, far, length, weight, displacement, judged);
+    });
+  return break_above(judged, most);
 }
 
 long long BondBreaking::break_all(ExplicitMotion& motion) {
-  if (energies_ || ductile_) find_points(motion.committed());
-  return break_above(motion.trial().displacement.data(), bonds_).broken;
+  if (ductile_) {
+    find_points(motion.committed());
+  } else if (energies_) {
+    points_.resize(point_size(scene_.dimension()) * static_cast<std::size_t>(scene_.local()));
+    mechanics::force_states_in_motion(scene_, points_.data());
+    scene_.body().halo.update_ghosts(points_.data(), static_cast<int>(point_size(scene_.dimension())));
+  }
+  const double* displacement = motion.trial().displacement.data();
+  if (!screen_) screen_ = std::make_unique<BondScreen>(scene_, limits_);
+  Judged judged;
+  for (const BondScreen::Candidate& bond : screen_->find(displacement, energies_ ? points_.data() : nullptr))
+    judge(bond.near, bond.far, bond.length, bond.weight, displacement, judged);
+  return break_above(judged, bonds_).broken;
 }
 
-BondBreaking::Result BondBreaking::break_above(const double* displacement, long long most) {
+void BondBreaking::judge(LocalIndex near, LocalIndex far, double length, double weight, const double* displacement,
+                         Judged& judged) const {
+  if (unbreakable_[near] || unbreakable_[far]) return;
+  const bool swap = scene_.body().id[near] > scene_.body().id[far];
+  const LocalIndex lower = swap ? far : near, upper = swap ? near : far;
+  const double value = ratio(lower, upper, length, weight, displacement);
+  judged.worst = std::max(judged.worst, value);
+  if (value < 1 - tie) return;
+  judged.critical.push_back({value, {lower, upper}});
+  if (lower < scene_.owned()) judged.counted.push_back(value);
+}
+
+BondBreaking::Result BondBreaking::break_above(const Judged& judged, long long most) {
   const body::Body& body = scene_.body();
-  std::vector<Critical> critical;
-  std::vector<double> counted;  // of bonds whose smaller id is this rank's
   Result result;
-  const auto judge = [&](LocalIndex near, LocalIndex far, double length, double weight) {
-    if (unbreakable_[near] || unbreakable_[far]) return;
-    const bool swap = body.id[near] > body.id[far];
-    const LocalIndex lower = swap ? far : near, upper = swap ? near : far;
-    const double value = ratio(lower, upper, length, weight, displacement);
-    result.worst = std::max(result.worst, value);
-    if (value < 1 - tie) return;
-    critical.push_back({value, {lower, upper}});
-    if (lower < scene_.owned()) counted.push_back(value);
-  };
-  if (scene_.lattice())
-    scene_.lattice()->each([&](LocalIndex near, LocalIndex far, const bonds::StencilOffset& offset) {
-      judge(near, far, offset.length, offset.influence * offset.share);
-    });
-  else
-    scene_.pairs()->each(judge);
-  result.worst = body.communicator.max(result.worst);
+  result.worst = body.communicator.max(judged.worst);
   if (result.worst < 1 - tie) return result;
 
-  std::vector<double> all = body.communicator.gather(counted);
+  std::vector<double> all = body.communicator.gather(judged.counted);
   std::sort(all.begin(), all.end(), std::greater<>());
   result.critical = static_cast<long long>(all.size());
   const auto last = static_cast<std::size_t>(std::clamp(most, 1LL, result.critical)) - 1;
   const double least = all[last] * (1 - tie);
   std::vector<mechanics::BondEnds> ends;
-  for (const Critical& bond : critical)
+  for (const Critical& bond : judged.critical)
     if (bond.ratio >= least) ends.push_back(bond.ends);
   scene_.break_bonds(ends);
   result.broken = std::count_if(all.begin(), all.end(), [&](double value) { return value >= least; });

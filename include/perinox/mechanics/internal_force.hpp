@@ -22,6 +22,10 @@ void internal_force(const Scene& scene, const Committed& committed, const double
 /// without ghosts are worked on. Collective.
 void internal_force_in_motion(const Scene& scene, const Committed& committed, Trial& trial, double* force);
 
+/// force_states of the displacement that the last internal_force or internal_force_in_motion was asked for, which has
+/// found them already. Only of scenes from_sums(). Not collective.
+void force_states_in_motion(const Scene& scene, double* points);
+
 /// Names the first owned particle whose force is not finite: a sentence with its id, position and, where a bond has
 /// collapsed to length zero, the neighbour; "" if all are finite. Not collective.
 std::string first_not_finite(const Scene& scene, const Trial& trial, const double* force);

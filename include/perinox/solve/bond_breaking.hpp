@@ -6,6 +6,7 @@
 #include "perinox/mechanics/state.hpp"
 #include "perinox/mechanics/stress.hpp"
 #include "perinox/solve/bond_limits.hpp"
+#include "perinox/solve/bond_screen.hpp"
 
 namespace perinox::solve {
 
@@ -26,7 +27,7 @@ class BondBreaking {
   /// Breaks the worst of the critical bonds of a state, `most` of them over all ranks or as many as equal the worst to
   /// `tie`. Collective.
   Result break_worst(const mechanics::Committed& state, long long most);
-  /// Breaks all critical bonds of a motion; how many over all ranks. Collective.
+  /// Breaks all critical bonds of a motion right after a time step of it; how many over all ranks. Collective.
   long long break_all(ExplicitMotion& motion);
 
   /// Bonds over all ranks before any broke.
@@ -41,11 +42,19 @@ class BondBreaking {
   static constexpr double tie = 1e-6;
 
  private:
-  Result break_above(const double* displacement, long long most);
   struct Critical {
     double ratio;
     mechanics::BondEnds ends;
   };
+  /// Of the bonds looked at on this rank.
+  struct Judged {
+    double worst = 0;
+    std::vector<Critical> critical;
+    std::vector<double> counted;  ///< measures of critical bonds whose smaller id is this rank's
+  };
+  void judge(LocalIndex near, LocalIndex far, double length, double weight, const double* displacement,
+             Judged& judged) const;
+  Result break_above(const Judged& judged, long long most);
   void find_points(const mechanics::Committed& state);
   /// lower, upper: ends by ascending id.
   double ratio(LocalIndex lower, LocalIndex upper, double length, double weight, const double* displacement) const;
@@ -60,6 +69,7 @@ class BondBreaking {
   std::vector<double> failure_;  ///< [local] equivalent plastic strain over the failure strain; -1: no such law
   std::vector<std::size_t> strain_place_;  ///< [materials] of the equivalent plastic strain in the point history
   std::unique_ptr<mechanics::Stress> stress_;
+  std::unique_ptr<BondScreen> screen_;  ///< of motions
 };
 
 }  // namespace perinox::solve
