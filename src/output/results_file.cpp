@@ -67,7 +67,7 @@ ResultsFile::ResultsFile(std::string directory, const std::string& title, const 
       dimension_(body.dimension),
       order_(communicator_, body.id, body.owned, body.total),
       index_(title, "results.h5", body.total) {
-  std::vector<long long> later;
+  Later later;
   std::string sentence;
   if (communicator_.is_root()) try {
       later = look_back(kept.last_step, fields);
@@ -75,11 +75,13 @@ ResultsFile::ResultsFile(std::string directory, const std::string& title, const 
       sentence = error.what();
     }
   agree_on_run_error(communicator_, sentence);
-  later = communicator_.gather(later);
-  if (!later.empty()) {
+  later.steps = communicator_.gather(later.steps);
+  later.phases = communicator_.gather(later.phases);
+  if (!later.steps.empty() || !later.phases.empty()) {
     const std::string written = copy_if_small();
     ParallelFile file(written, communicator_, ParallelFile::Mode::append);
-    for (const long long step : later) file.remove(fmt::format("/steps/{}", step));
+    for (const long long step : later.steps) file.remove(fmt::format("/steps/{}", step));
+    for (const long long phase : later.phases) file.remove(fmt::format("/phases/{}", phase));
     file.close();
     rename_copy(written);
   }
@@ -87,14 +89,16 @@ ResultsFile::ResultsFile(std::string directory, const std::string& title, const 
   agree_on_run_error(communicator_, sentence);
 }
 
-std::vector<long long> ResultsFile::look_back(int last_step, const std::vector<std::string>& fields) {
+ResultsFile::Later ResultsFile::look_back(int last_step, const std::vector<std::string>& fields) {
   const ResultsReader file(path_);
   if (file.particles() != static_cast<std::size_t>(order_.total()))
     throw RunError(fmt::format("{} holds {} particles, not {}", path_, file.particles(), order_.total()));
-  std::vector<long long> later;
+  Later later;
+  for (const ResultsReader::Phase& phase : file.phases())
+    if (phase.step > last_step) later.phases.push_back(phase.number);
   for (const ResultsReader::Step& step : file.steps()) {
     if (step.number > last_step) {
-      later.push_back(step.number);
+      later.steps.push_back(step.number);
       continue;
     }
     std::vector<XdmfIndex::FieldShape> shapes;
@@ -184,6 +188,31 @@ void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve
     sentence = replace_file(directory_ + "/results.xdmf", index_.text());
   }
   agree_on_run_error(communicator_, sentence);
+}
+
+void ResultsFile::write(const solve::MotionPhase& phase) {
+  const std::string written = copy_if_small();
+  ParallelFile file(written, communicator_, ParallelFile::Mode::append);
+  if (!file.has("/phases")) file.make_group("/phases");
+  const std::string group = fmt::format("/phases/{}", phase.number);
+  file.make_group(group);
+  file.set_attribute(group, "step", static_cast<GlobalId>(phase.step));
+  file.set_attribute(group, "t_begin", phase.t_begin);
+  file.set_attribute(group, "t_end", phase.t_end);
+  file.set_attribute(group, "cause", static_cast<GlobalId>(phase.cause));
+  file.set_attribute(group, "reason", phase.reason);
+  file.set_attribute(group, "at_rest", static_cast<GlobalId>(phase.at_rest));
+  file.set_attribute(group, "time", phase.time);
+  file.set_attribute(group, "time_steps", static_cast<GlobalId>(phase.time_steps));
+  file.set_attribute(group, "broken_bonds", static_cast<GlobalId>(phase.broken_bonds));
+  file.set_attribute(group, "external_work", phase.external_work);
+  file.set_attribute(group, "released_energy", phase.released_energy);
+  file.set_attribute(group, "damped_energy", phase.damped_energy);
+  file.set_attribute(group, "most_kinetic_energy", phase.most_kinetic_energy);
+  file.set_attribute(group, "unaccounted_energy", phase.unaccounted_energy);
+  file.set_attribute(group, "unaccounted_share", phase.unaccounted_share);
+  file.close();
+  rename_copy(written);
 }
 
 }  // namespace perinox::output

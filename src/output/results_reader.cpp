@@ -70,6 +70,22 @@ std::vector<ResultsReader::Step> ResultsReader::steps() const {
   return steps;
 }
 
+std::vector<ResultsReader::Phase> ResultsReader::phases() const {
+  std::vector<Phase> phases;
+  {
+    const Silence silence;
+    if (H5Lexists(file_, "/phases", H5P_DEFAULT) <= 0) return phases;
+  }
+  for (const std::string& name : names_in("/phases")) {
+    const std::string group = "/phases/" + name;
+    phases.push_back({std::atoi(name.c_str()), static_cast<int>(number_attribute(group, "step")),
+                      number_attribute(group, "t_begin"), number_attribute(group, "t_end"),
+                      number_attribute(group, "time")});
+  }
+  std::sort(phases.begin(), phases.end(), [](const Phase& a, const Phase& b) { return a.number < b.number; });
+  return phases;
+}
+
 int ResultsReader::columns(int step, const std::string& field) const {
   const Silence silence;
   const std::string name = fmt::format("/steps/{}/{}", step, field);

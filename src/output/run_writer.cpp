@@ -96,7 +96,8 @@ void RunWriter::begin(const deck::Deck& deck, const body::Body& body, bool quiet
     if (files.terminal && !sentence.empty()) files.terminal->say(sentence);
   };
   const std::string history = files.directory + "/history.csv", convergence = files.directory + "/convergence.csv";
-  const HistoryTable::Columns columns{deck.breaks(), deck.may_move()};
+  const HistoryTable::Columns columns{deck.breaks(), deck.may_move(),
+                                      deck.may_move() && deck.dynamics != deck::Dynamics::explicit_};
   long long history_kept = 0, convergence_kept = 0;
   if (from == nullptr) {
     say(prepare_directory(files.directory, files.communicator));
@@ -163,6 +164,16 @@ void RunWriter::step_rejected(double t_from, double t_to, const std::string& rea
 void RunWriter::bonds_broken(const solve::BreakingPass& pass) {
   ++files_->attempt;
   if (files_->terminal) files_->terminal->bonds_broken(pass);
+}
+
+void RunWriter::phase_begins(const solve::MotionPhase& phase) {
+  if (files_->terminal) files_->terminal->phase_begins(phase);
+}
+
+void RunWriter::phase_ended(const solve::MotionPhase& phase) {
+  const Profile::Scope timed(files_->communicator.profile(), Section::output);
+  if (files_->terminal) files_->terminal->phase_ended(phase);
+  files_->results->write(phase);
 }
 
 void RunWriter::note(const std::string& sentence) {

@@ -72,7 +72,8 @@ std::string HistoryTable::header(const std::vector<std::string>& names, Columns 
   return header +
          ",stored_energy,dissipated_energy,external_work,newton_iterations,linear_iterations,seconds,products" +
          seconds_columns() + (columns.fracture ? ",passes,broken_bonds,released_energy,relaxed_energy" : "") +
-         (columns.motion ? ",time,time_steps,kinetic_energy,damped_energy,contact_energy" : "");
+         (columns.motion ? ",time,time_steps,kinetic_energy,damped_energy,contact_energy" : "") +
+         (columns.phases ? ",phases,cause,phase_time,phase_energy" : "");
 }
 
 void HistoryTable::row(const solve::StepRecord& record) {
@@ -91,6 +92,9 @@ void HistoryTable::row(const solve::StepRecord& record) {
     const solve::MotionRow row = record.motion.value_or(solve::MotionRow());
     line += fmt::format(",{:.17g},{},{:.17g},{:.17g},{:.17g}", row.time, row.time_steps, row.kinetic_energy,
                         row.damped_energy, row.contact_energy);
+    if (columns_.phases)
+      line += fmt::format(",{},{},{:.17g},{:.17g}", row.phases, static_cast<int>(row.cause), row.phase_time,
+                          row.phase_energy);
   }
   file_.append(line);
 }

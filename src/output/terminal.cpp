@@ -66,6 +66,18 @@ void Terminal::bonds_broken(const solve::BreakingPass& pass) {
                     pass.pass, pass.t, pass.broken, pass.critical, pass.worst));
 }
 
+void Terminal::phase_begins(const solve::MotionPhase& phase) {
+  print(fmt::format("  goes on in time from t = {:.6g}: {}\n", phase.t_begin, phase.reason));
+}
+
+void Terminal::phase_ended(const solve::MotionPhase& phase) {
+  print(
+      fmt::format("  {} at t = {:.6g} after {:.4g} of time in {} time steps: {} bonds broken, {:.4g} of energy "
+                  "released and {:.4g} damped, {:.1e} of it not accounted for\n",
+                  phase.at_rest ? "at rest" : "not at rest", phase.t_end, phase.time, phase.time_steps,
+                  phase.broken_bonds, phase.released_energy, phase.damped_energy, phase.unaccounted_share));
+}
+
 void Terminal::step_committed(const solve::StepRecord& record) {
   const std::string left = record.last ? "" : fmt::format(", about {} left", duration(record.remaining_seconds));
   end_ = fmt::format(" of {:.6g}", record.end);

@@ -14,18 +14,17 @@ namespace {
 constexpr int most_phases = 20;
 }  // namespace
 
-std::string LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
+LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
   const Communicator& ranks = scene_.body().communicator;
   const auto most = static_cast<long long>(deck_.fracture.pass_share * static_cast<double>(breaking_->bonds()));
   const long long before_step = breaking_->broken();
-  passes_ = 0;
   for (int pass = 1;; ++pass) {
     const BondBreaking::Result found = breaking_->break_worst(committed_, most);
-    if (found.broken == 0) return "";
+    if (found.broken == 0) return {};
     const bool runs = motion_ && pass > 1 && found.worst > deck_.hand_over.overload;
     const double t = committed_.t();
     observer.bonds_broken({step_, t, pass, found.critical, found.broken, found.worst});
-    passes_ = pass;
+    ++passes_;
 
     const bool loose = let_loose_go(observer);
     mechanics::Trial trial;
@@ -37,14 +36,17 @@ std::string LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
     force_ = force;
     newton_.bonds_changed(loose);
     if (runs)
-      return fmt::format("a bond is at {:.3g} times its limit, more than hand_over.overload: the crack runs",
-                         found.worst);
+      return {LostEquilibrium::overload,
+              fmt::format("a bond is at {:.3g} times its limit, more than hand_over.overload: the crack runs",
+                          found.worst)};
     const long long in_step = breaking_->broken() - before_step;
     if (motion_ &&
         static_cast<double>(in_step) > deck_.hand_over.broken_share * static_cast<double>(breaking_->bonds()))
-      return fmt::format("{} bonds have broken in one load step, more than hand_over.broken_share", in_step);
+      return {LostEquilibrium::broken_share,
+              fmt::format("{} bonds have broken in one load step, more than hand_over.broken_share", in_step)};
     if (pass > deck_.fracture.max_passes)
-      return fmt::format("bonds still break after {} passes at t = {:.6g}", deck_.fracture.max_passes, t);
+      return {LostEquilibrium::passes,
+              fmt::format("bonds still break after {} passes at t = {:.6g}", deck_.fracture.max_passes, t)};
 
     std::vector<double> guess(committed_.displacement().begin(),
                               committed_.displacement().begin() + static_cast<std::ptrdiff_t>(force.size()));
@@ -52,8 +54,8 @@ std::string LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
     total.newton_iterations += result.newton_iterations;
     total.linear_iterations += result.linear_iterations;
     if (!result.converged)
-      return fmt::format("no equilibrium at t = {:.6g} once {} bonds have broken: {}", t, breaking_->broken(),
-                         result.reason);
+      return {LostEquilibrium::after_breaking, fmt::format("no equilibrium at t = {:.6g} once {} bonds have broken: {}",
+                                                           t, breaking_->broken(), result.reason)};
     if (converged_) converged_(committed_, trial);
     const Energies before = energies_;
     commit(std::move(trial), std::move(force));
@@ -63,12 +65,17 @@ std::string LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
   }
 }
 
-std::string LoadStepper::go_through_motion(Observer& observer, double t, const std::string& reason,
-                                           NewtonResult& total) {
-  std::string why = reason;
+std::string LoadStepper::go_through_motion(Observer& observer, double t, const Loss& loss, NewtonResult& total) {
+  Loss why = loss;
   double to = t;
   for (int phase = 1; phase <= most_phases; ++phase) {
-    observer.note(fmt::format("goes on in time from t = {:.6g}: {}", committed_.t(), why));
+    MotionPhase row;
+    row.number = ++phase_number_;
+    row.step = step_;
+    row.t_begin = committed_.t();
+    row.cause = why.cause;
+    row.reason = why.reason;
+    observer.phase_begins(row);
     HandOver hand_over(deck_, scene_, boundary_, breaking_.get());
     const HandOver::Result result = hand_over.run(committed_, to, observer, force_, external_);
     const MotionEnergies& e = result.energies;
@@ -79,12 +86,22 @@ std::string LoadStepper::go_through_motion(Observer& observer, double t, const s
     energies_.damped += e.damped + e.kinetic + e.contact;
     motion_->time += result.time;
     motion_->time_steps += result.time_steps;
+    if (motion_->phases++ == 0) motion_->cause = why.cause;
+    motion_->phase_time += result.time;
+    motion_->phase_energy += e.damped + e.kinetic + e.contact;
+    row.t_end = committed_.t();
+    row.at_rest = result.at_rest;
+    row.time = result.time;
+    row.time_steps = result.time_steps;
+    row.broken_bonds = result.broken;
+    row.external_work = e.external_work;
+    row.released_energy = e.released;
+    row.damped_energy = e.damped + e.kinetic + e.contact;
+    row.most_kinetic_energy = result.most_kinetic;
+    row.unaccounted_energy = e.gain();
+    row.unaccounted_share = e.scale() > 0 ? e.gain() / e.scale() : 0;
+    observer.phase_ended(row);
     if (!result.at_rest) return result.reason;
-    observer.note(
-        fmt::format("at rest at t = {:.6g} after {:.4g} of time in {} time steps: {} bonds broken, {:.4g} of energy "
-                    "released and {:.4g} damped, {:.1e} of it not accounted for",
-                    committed_.t(), result.time, result.time_steps, result.broken, e.released, e.damped,
-                    e.scale() > 0 ? e.gain() / e.scale() : 0));
     newton_.bonds_changed(true);
     control_->jumped(committed_.t());
 
@@ -98,19 +115,19 @@ std::string LoadStepper::go_through_motion(Observer& observer, double t, const s
     total.linear_iterations += found.linear_iterations;
     to = committed_.t();
     if (!found.converged) {
-      why = found.reason;
+      why = {LostEquilibrium::newton, found.reason};
       continue;
     }
     const Energies before = energies_;
     commit(std::move(trial), std::move(force));
     energies_.damped += before.stored - energies_.stored + before.dissipated - energies_.dissipated +
                         energies_.external_work - before.external_work;
-    why = breaking_ ? break_bonds(observer, total) : "";
+    why = breaking_ ? break_bonds(observer, total) : Loss();
     total.converged = true;
-    if (why.empty()) return "";
+    if (why.cause == LostEquilibrium::no) return "";
   }
   return fmt::format("no equilibrium at t = {:.6g} after going on in time {} times: {}", committed_.t(), most_phases,
-                     why);
+                     why.reason);
 }
 
 bool LoadStepper::let_loose_go(Observer& observer) {

@@ -86,6 +86,7 @@ HandOver::Result HandOver::run(mechanics::Committed& state, double t, Observer& 
     }
     const MotionEnergies now = motion.energies();
     most_stored = std::max(most_stored, std::max(now.stored, now.at_start));
+    result.most_kinetic = std::max(result.most_kinetic, now.kinetic);
     if (!motion.sound(now)) {
       result.reason = "the energies of the motion grow though nothing does that work; take a smaller explicit.safety";
       break;

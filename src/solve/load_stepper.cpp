@@ -52,13 +52,13 @@ void LoadStepper::run(Observer& observer) {
       observer.step_rejected(committed_.t(), tried, result.reason);
       if (control_->cut()) continue;
       if (!motion_) stop(observer, tried, result);
-      ++step_;
-      passes_ = 0;
-      const std::string reason = go_through_motion(observer, tried, result.reason, result);
+      begin_step();
+      const Loss loss{LostEquilibrium::newton, result.reason};
+      const std::string reason = go_through_motion(observer, tried, loss, result);
       if (!reason.empty()) lost_equilibrium(observer, reason);
     } else {
       if (converged_) converged_(committed_, trial);
-      ++step_;
+      begin_step();
       control_->accept(committed_, trial);
       commit(std::move(trial), std::move(force));
       settle(observer, result);
@@ -78,10 +78,20 @@ void LoadStepper::run(Observer& observer) {
   }
 }
 
+void LoadStepper::begin_step() {
+  ++step_;
+  passes_ = 0;
+  if (!motion_) return;
+  motion_->phases = 0;
+  motion_->cause = LostEquilibrium::no;
+  motion_->phase_time = motion_->phase_energy = 0;
+}
+
 void LoadStepper::settle(Observer& observer, NewtonResult& result) {
   if (!breaking_) return;
-  std::string reason = break_bonds(observer, result);
-  if (!reason.empty() && motion_) reason = go_through_motion(observer, committed_.t(), reason, result);
+  const Loss loss = break_bonds(observer, result);
+  std::string reason = loss.reason;
+  if (loss.cause != LostEquilibrium::no && motion_) reason = go_through_motion(observer, committed_.t(), loss, result);
   if (!reason.empty()) lost_equilibrium(observer, reason);
   if (passes_ > 0) control_->jumped(committed_.t());
 }

@@ -34,13 +34,21 @@ class ResultsFile {
   /// the disk refuses; the room is reserved first, so that a full disk leaves the earlier steps whole.
   void write(const solve::StepRecord& record, const std::vector<solve::Field>& fields);
 
+  /// Group /phases/<phase.number>, attributes alone: a phase in time of a run that lost its equilibrium. Collective.
+  /// Throws RunError.
+  void write(const solve::MotionPhase& phase);
+
   /// Brings the file to the disk; rank 0 does. Collective. Throws RunError.
   void sync() const;
   const std::string& path() const { return path_; }
 
  private:
+  /// Groups of the file that come after a step.
+  struct Later {
+    std::vector<long long> steps, phases;
+  };
   /// Rank 0: fills the index with the steps that stay, returns the others.
-  std::vector<long long> look_back(int last_step, const std::vector<std::string>& fields);
+  Later look_back(int last_step, const std::vector<std::string>& fields);
   /// Reserves room for so many numbers at the end of a file, or RunError on every rank.
   void require_room(double numbers, const std::string& path) const;
   /// The file to be added to: a copy, which rename_copy() puts in the place of the file, or the file.

@@ -14,6 +14,12 @@ class ResultsReader {
     double t;
   };
 
+  struct Phase {
+    int number;  ///< group /phases/<number>
+    int step;
+    double t_begin, t_end, time;
+  };
+
   explicit ResultsReader(std::string path);
   ~ResultsReader();
   ResultsReader(const ResultsReader&) = delete;
@@ -28,6 +34,8 @@ class ResultsReader {
   std::vector<double> volume() const { return read("/particles/volume", 1); }
   /// In the order of their numbers.
   std::vector<Step> steps() const;
+  /// Phases in time of a run that lost its equilibrium, in the order of their numbers.
+  std::vector<Phase> phases() const;
   /// Names of the fields of a step.
   std::vector<std::string> fields(int step) const;
   /// 3 of a vector, 1 of a scalar, 0 if the step holds no such field.

@@ -33,6 +33,9 @@ class RunWriter : public solve::Observer {
   void newton_iteration(const solve::NewtonIteration& row) override;
   void step_rejected(double t_from, double t_to, const std::string& reason) override;
   void bonds_broken(const solve::BreakingPass& pass) override;
+  void phase_begins(const solve::MotionPhase& phase) override;
+  /// results.h5: every phase.
+  void phase_ended(const solve::MotionPhase& phase) override;
   void note(const std::string& sentence) override;
   /// history.csv: every step; results.h5: every deck.output.every-th step and the last, with displacement, force and
   /// the fields of deck.output.fields that the scene carries. Collective. Throws RunError if the disk refuses.

@@ -41,6 +41,7 @@ class HistoryTable {
   struct Columns {
     bool fracture = false;
     bool motion = false;
+    bool phases = false;  ///< with motion
   };
   HistoryTable(const std::string& path, const std::vector<std::string>& names) : HistoryTable(path, names, {}) {}
   /// kept: bytes of an existing table that stay; 0: a new one.

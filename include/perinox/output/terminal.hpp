@@ -16,6 +16,8 @@ class Terminal {
   void newton_iteration(const solve::NewtonIteration& row, int attempt);
   void step_rejected(double t_from, double t_to, const std::string& reason);
   void bonds_broken(const solve::BreakingPass& pass);
+  void phase_begins(const solve::MotionPhase& phase);
+  void phase_ended(const solve::MotionPhase& phase);
   void step_committed(const solve::StepRecord& record);
   /// A line of its own.
   void say(const std::string& line);

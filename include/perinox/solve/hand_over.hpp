@@ -26,6 +26,7 @@ class HandOver {
     double time = 0;     ///< that the phase took
     long long time_steps = 0;
     long long broken = 0;     ///< bonds over all ranks
+    double most_kinetic = 0;  ///< energy
     MotionEnergies energies;  ///< at its end
   };
   /// From `state`, which is replaced by where the motion ends, with the loads going to load parameter `t` over one

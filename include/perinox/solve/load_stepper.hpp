@@ -60,19 +60,24 @@ class LoadStepper {
 
  private:
   std::unique_ptr<StepControl> make_control();
+  void begin_step();
   void commit(mechanics::Trial&& trial, std::vector<double>&& force);
   /// written: the fields that cost something are made too.
   StepRecord record(const NewtonResult& result, bool written);
-  /// Passes of bond breaking at the committed state's load, until no bond is critical. A reason, if a pass has no
-  /// equilibrium; every pass before it is committed.
-  std::string break_bonds(Observer& observer, NewtonResult& total);
+  struct Loss {
+    LostEquilibrium cause = LostEquilibrium::no;
+    std::string reason;  ///< a sentence
+  };
+  /// Passes of bond breaking at the committed state's load, until no bond is critical or the equilibrium is lost; every
+  /// pass before is committed.
+  Loss break_bonds(Observer& observer, NewtonResult& total);
   /// Takes what no support holds any more out of the unknowns; true if there was anything.
   bool let_loose_go(Observer& observer);
   /// Tells the observer and throws RunError with the reason.
   [[noreturn]] void lost_equilibrium(Observer& observer, const std::string& reason);
   /// Goes on in time with the loads going to `t` until the body is at rest and in equilibrium again; a reason, if that
   /// does not happen.
-  std::string go_through_motion(Observer& observer, double t, const std::string& reason, NewtonResult& total);
+  std::string go_through_motion(Observer& observer, double t, const Loss& loss, NewtonResult& total);
   /// The bonds that are critical after an equilibrium, and what follows if there is none afterwards.
   void settle(Observer& observer, NewtonResult& result);
   [[noreturn]] void stop(Observer& observer, double t, const NewtonResult& result);
@@ -92,6 +97,7 @@ class LoadStepper {
   int step_ = 0;
   int passes_ = 0;                   ///< of the step at hand
   std::optional<MotionRow> motion_;  ///< where the run may go on in time
+  int phase_number_ = 0;             ///< phases in time so far
   NewtonResult last_result_;         ///< of the committed step
 };
 

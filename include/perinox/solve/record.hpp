@@ -36,6 +36,32 @@ struct FractureRow {
   double released_energy = 0;  ///< stored energy that went with the bonds as they broke, the deformation held
   double relaxed_energy = 0;   ///< lost on the way to the next equilibrium of the passes: nobody's kinetic energy
 };
+/// Why a run left equilibrium and went on in time. The numbers are those of history.csv.
+enum class LostEquilibrium {
+  no = 0,
+  newton = 1,          ///< no equilibrium at the smallest load step
+  after_breaking = 2,  ///< none once bonds have broken
+  broken_share = 3,    ///< more bonds broken in a load step than hand_over.broken_share
+  overload = 4,        ///< a bond beyond hand_over.overload: the crack runs
+  passes = 5,          ///< bonds still break after fracture.max_passes
+};
+/// One phase of a run in time, between two equilibria.
+struct MotionPhase {
+  int number = 0;  ///< 1, 2, ... over the run
+  int step = 0;    ///< the load step it belongs to
+  double t_begin = 0, t_end = 0;
+  LostEquilibrium cause = LostEquilibrium::no;
+  std::string reason;    ///< a sentence
+  bool at_rest = false;  ///< false: the run stops here
+  double time = 0;       ///< that it took
+  long long time_steps = 0;
+  long long broken_bonds = 0;
+  double external_work = 0, released_energy = 0, damped_energy = 0;
+  double most_kinetic_energy = 0;
+  double unaccounted_energy = 0;  ///< what the motion has won (negative: lost) though nothing did that work
+  double unaccounted_share = 0;   ///< of the largest energy in the balance
+};
+
 /// Of a scene that moves in time or may come to.
 struct MotionRow {
   double time = 0;  ///< since the start; with dynamics: explicit the same as t
@@ -43,6 +69,10 @@ struct MotionRow {
   double kinetic_energy = 0;
   double damped_energy = 0;   ///< since t = 0
   double contact_energy = 0;  ///< stored in contacts
+  // Of this step's phases in time, in a run that is not explicit throughout:
+  int phases = 0;
+  LostEquilibrium cause = LostEquilibrium::no;  ///< of the first
+  double phase_time = 0, phase_energy = 0;      ///< time they took, energy damped in them
 };
 
 /// One pass of bond breaking.
@@ -87,7 +117,10 @@ class Observer {
   virtual void step_rejected(double /*t_from*/, double /*t_to*/, const std::string& /*reason*/) {}
   virtual void step_committed(const StepRecord&) {}
   virtual void bonds_broken(const BreakingPass&) {}
-  /// A sentence for the log: what has been taken out, why the run goes on in time, when it is at rest again.
+  /// The run goes on in time from here: only the fields up to reason are known.
+  virtual void phase_begins(const MotionPhase&) {}
+  virtual void phase_ended(const MotionPhase&) {}
+  /// A sentence for the log: what has been taken out.
   virtual void note(const std::string& /*sentence*/) {}
   /// The run cannot go on; `last` is the last committed step once more, if there has been one.
   virtual void run_stopped(const StepRecord* /*last*/) {}
