@@ -54,7 +54,8 @@ const Mistake mistakes_in_decks[] = {
     {"unknown_component", &base_deck, "{z: \"0.01*t\"}", "{w: \"0.01*t\"}",
      "deck.yaml:22:32: w is not a key of boundary.1.displacement; its keys are x, y, z and table"},
     {"unknown_key_of_steps", &base_deck, "count: 2", "number: 2",
-     "deck.yaml:23:19: number is not a key of steps; its keys are end, count, adaptive, max_cuts and control"},
+     "deck.yaml:23:19: number is not a key of steps; its keys are end, count, adaptive, max_cuts, time_limit and "
+     "control"},
     {"unknown_key_of_solver", &base_deck, "tangent: matrix-free", "tangents: matrix-free",
      "deck.yaml:25:3: tangents is not a key of solver; did you mean tangent?"},
     {"unknown_key_of_newton", &base_deck, "{tolerance: 1e-8}", "{tol: 1e-8}",

@@ -91,7 +91,7 @@ const Mistake mistakes[] = {
     {"number_for_a_map", base, "horizon: {ratio: 3.015}", "horizon: 3.015", "8:10",
      "horizon must be a map with exactly one of ratio or length, but '3.015' was found"},
     {"list_for_a_map", base, "steps: {end: 1.0, count: 20}", "steps: [1.0, 20]", "24:8",
-     "steps must be a map with the keys end, count, adaptive, max_cuts and control, but a list was found"},
+     "steps must be a map with the keys end, count, adaptive, max_cuts, time_limit and control, but a list was found"},
     {"map_for_a_list", base, "fields: [displacement, force]", "fields: {a: 1}", "28:28",
      "fields must be a list, but a map was found"},
     {"not_a_number", base, "spacing: 1.0", "spacing: .nan", "6:14",
