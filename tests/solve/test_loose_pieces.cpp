@@ -1,0 +1,102 @@
+/// What breaking has left without support: particles that hang on too little, pieces that touch no support.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "perinox/solve/loose_pieces.hpp"
+#include "support/broken.hpp"
+#include "support/fracture.hpp"
+
+namespace perinox::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Loose : Plate {
+  Loose() : Plate(square_plate("critical_stretch: 0.01")), boundary(deck, scene) {}
+  LocalIndex at(double x, double y) const {
+    for (LocalIndex i = 0; i < scene.owned(); ++i)
+      if (std::hypot(scene.body().position(i)[0] - x, scene.body().position(i)[1] - y) < 0.1) return i;
+    throw std::runtime_error("no particle there");
+  }
+  /// Breaks all bonds that the predicate of two positions asks for.
+  template <class Predicate>
+  void cut(const Predicate& predicate) {
+    std::vector<mechanics::BondEnds> ends;
+    for (const auto& bond : test::all_bonds(scene))
+      if (predicate(scene.body().position(bond[0]), scene.body().position(bond[1]))) ends.push_back(bond);
+    scene.break_bonds(ends);
+  }
+  long long count(const solve::LoosePieces& found) const {
+    return std::count(found.loose.begin(), found.loose.end(), static_cast<char>(1));
+  }
+  solve::Boundary boundary;
+};
+
+TEST(LoosePieces, NothingIsLooseBeforeAnythingBreaks) {
+  Loose plate;
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary);
+  EXPECT_EQ(plate.count(found), 0);
+  EXPECT_EQ(found.broken, 0);
+  EXPECT_TRUE(found.sentences.empty());
+}
+
+TEST(LoosePieces, AParticleWithoutBonds) {
+  Loose plate;
+  const LocalIndex lone = plate.at(5.5, 8.5);
+  plate.scene.break_bonds(test::bonds_of(plate.scene, lone));
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary);
+  EXPECT_EQ(plate.count(found), 1);
+  EXPECT_TRUE(found.loose[lone]);
+  EXPECT_EQ(found.broken, 0);
+  ASSERT_EQ(found.sentences.size(), 1u);
+  EXPECT_THAT(found.sentences[0], HasSubstr("1 single particles have lost all their bonds"));
+  // Once let go it is told no more.
+  plate.boundary.let_go(found.loose);
+  const solve::LoosePieces again = find_loose(plate.scene, plate.boundary);
+  EXPECT_EQ(plate.count(again), 0);
+  EXPECT_TRUE(again.sentences.empty());
+}
+
+TEST(LoosePieces, AParticleThatHangsOnOneLine) {
+  Loose plate;
+  const LocalIndex hanging = plate.at(5.5, 8.5);
+  plate.cut([&](const double* a, const double* b) {
+    const bool of_it = a == plate.scene.body().position(hanging) || b == plate.scene.body().position(hanging);
+    return of_it && a[1] != b[1];  // six bonds along x are left
+  });
+  ASSERT_EQ(plate.scene.families().size[hanging], 6);
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary);
+  EXPECT_EQ(found.broken, 6);
+  EXPECT_EQ(plate.scene.families().size[hanging], 0);
+  EXPECT_EQ(plate.count(found), 1);
+  EXPECT_TRUE(found.loose[hanging]);
+}
+
+TEST(LoosePieces, AFragment) {
+  Loose plate;
+  const auto inside = [](const double* x) { return x[0] > 4 && x[0] < 8 && x[1] > 6 && x[1] < 9; };
+  plate.cut([&](const double* a, const double* b) { return inside(a) != inside(b); });
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary);
+  EXPECT_EQ(plate.count(found), 12);
+  EXPECT_EQ(found.broken, 0);
+  for (LocalIndex i = 0; i < plate.scene.owned(); ++i)
+    EXPECT_EQ(found.loose[i] != 0, inside(plate.scene.body().position(i)));
+  ASSERT_EQ(found.sentences.size(), 1u);
+  EXPECT_THAT(found.sentences[0], HasSubstr("a piece of 12 particles"));
+}
+
+TEST(LoosePieces, APieceThatIsHeldPartlyStays) {
+  std::string yaml = square_plate("critical_stretch: 0.01");
+  const std::string held = "boundary: [";
+  yaml.insert(yaml.find(held) + held.size(), "{set: top, displacement: {y: 0.1}}, ");
+  Loose plate;
+  plate.deck = deck_of(yaml);
+  const solve::Boundary boundary(plate.deck, plate.scene);
+  plate.cut([](const double* a, const double* b) { return (a[1] < 6) != (b[1] < 6); });
+  EXPECT_EQ(plate.count(find_loose(plate.scene, boundary)), 0);  // free along x, but held along y
+}
+
+}  // namespace
+}  // namespace perinox::testing
