@@ -37,9 +37,10 @@ Key declare_damage() {
   Key key = map_key(
       "damage", "When the bonds of this material break: exactly one law. Without it they never do.",
       {positive_key("critical_stretch", "-", "A bond breaks when its extension over its length reaches this."),
-       positive_key("critical_bond_energy", "energy/volume^2",
-                    "A stretched bond breaks when its energy, half the sum of its two force states times its "
-                    "extension, reaches this; only for materials that do not flow."),
+       positive_key(
+           "critical_bond_energy", "energy/volume^2",
+           "A stretched bond breaks when the energy that its break releases reaches this; only for materials that "
+           "do not flow."),
        positive_key("energy_release_rate", "energy/area",
                     "Energy that a crack takes an area of its surface, G_c; turned into one of the two above with "
                     "this scene's horizon, influence function and quadrature."),

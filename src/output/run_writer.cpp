@@ -40,6 +40,7 @@ struct RunWriter::Files {
   std::vector<std::string> asked_fields;
   bool fields_checked = false;
   int current_step = 0;
+  int committed_step = 0;  ///< the last one
   int attempt = 1;
 
   std::optional<ResultsFile> results;
@@ -120,6 +121,7 @@ void RunWriter::begin(const deck::Deck& deck, const body::Body& body, bool quiet
   }
   agree_on_run_error(files.communicator, failure);
   files.agree_on_tables();
+  if (from != nullptr) files.committed_step = from->step;
   if (from != nullptr) try {
       files.results.emplace(files.directory, deck.title, files.asked_fields, body, ResultsFile::Continue{from->step});
       return;
@@ -184,6 +186,7 @@ void RunWriter::step_committed(const solve::StepRecord& record) {
   Files& files = *files_;
   const Profile::Scope timed(files.communicator.profile(), Section::output);
   files.current_step = 0;
+  files.committed_step = record.step;
   if (record.step % files.every == 0 || record.last) files.results->write(record, files.chosen(record.fields));
   if (files.history) files.history->row(record);
   files.agree_on_tables();
@@ -193,7 +196,8 @@ void RunWriter::step_committed(const solve::StepRecord& record) {
 void RunWriter::run_stopped(const solve::StepRecord* last) {
   Files& files = *files_;
   const Profile::Scope timed(files.communicator.profile(), Section::output);
-  if (last && last->step % files.every != 0) files.results->write(*last, files.chosen(last->fields));
+  if (last && (last->step % files.every != 0 || last->step > files.committed_step))
+    files.results->write(*last, files.chosen(last->fields));
 }
 
 }  // namespace perinox::output

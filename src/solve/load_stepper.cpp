@@ -55,7 +55,7 @@ void LoadStepper::run(Observer& observer) {
       begin_step();
       const Loss loss{LostEquilibrium::newton, result.reason};
       const std::string reason = go_through_motion(observer, tried, loss, result);
-      if (!reason.empty()) lost_equilibrium(observer, reason);
+      if (!reason.empty()) lost_equilibrium(observer, reason, result);
     } else {
       if (converged_) converged_(committed_, trial);
       begin_step();
@@ -92,14 +92,15 @@ void LoadStepper::settle(Observer& observer, NewtonResult& result) {
   const Loss loss = break_bonds(observer, result);
   std::string reason = loss.reason;
   if (loss.cause != LostEquilibrium::no && motion_) reason = go_through_motion(observer, committed_.t(), loss, result);
-  if (!reason.empty()) lost_equilibrium(observer, reason);
+  if (!reason.empty()) lost_equilibrium(observer, reason, result);
   if (passes_ > 0) control_->jumped(committed_.t());
 }
 
-void LoadStepper::lost_equilibrium(Observer& observer, const std::string& reason) {
+void LoadStepper::lost_equilibrium(Observer& observer, const std::string& reason, const NewtonResult& result) {
+  // The state is no longer that of the step before, so it keeps the number of the step that it was lost in.
+  const StepRecord lost = record(result, true);
   --step_;
-  const StepRecord last = record(last_result_, true);
-  observer.run_stopped(step_ > 0 ? &last : nullptr);
+  observer.run_stopped(&lost);
   throw RunError(fmt::format("stopped at t = {:.10g} of {:g}, after {} converged steps: {}", committed_.t(),
                              deck_.steps.end, step_, reason));
 }

@@ -43,7 +43,8 @@ class RunWriter : public solve::Observer {
   /// Brings all files to the disk. Returns how long the tables are: the same on every rank. Collective. Throws
   /// RunError.
   Continuation sync(int step);
-  /// Writes the last converged step to results.h5 if `every` has left it out.
+  /// Writes the last converged step to results.h5 if `every` has left it out, or the state that has lost its
+  /// equilibrium, which is one step further.
   void run_stopped(const solve::StepRecord* last) override;
 
  private:

@@ -11,7 +11,7 @@ struct BondLimit {
   enum class Kind {
     none,     ///< never breaks
     stretch,  ///< e/xi
-    energy,   ///< (t_i + t_j) e/2, energy a volume squared
+    energy,   ///< what its break releases, energy a volume squared
     ductile   ///< equivalent plastic strain over the failure strain, the mean of both ends
   };
   Kind kind = Kind::none;

@@ -74,7 +74,7 @@ class LoadStepper {
   /// Takes what no support holds any more out of the unknowns; true if there was anything.
   bool let_loose_go(Observer& observer);
   /// Tells the observer and throws RunError with the reason.
-  [[noreturn]] void lost_equilibrium(Observer& observer, const std::string& reason);
+  [[noreturn]] void lost_equilibrium(Observer& observer, const std::string& reason, const NewtonResult& result);
   /// Goes on in time with the loads going to `t` until the body is at rest and in equilibrium again; a reason, if that
   /// does not happen.
   std::string go_through_motion(Observer& observer, double t, const Loss& loss, NewtonResult& total);

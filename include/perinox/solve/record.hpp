@@ -122,7 +122,8 @@ class Observer {
   virtual void phase_ended(const MotionPhase&) {}
   /// A sentence for the log: what has been taken out.
   virtual void note(const std::string& /*sentence*/) {}
-  /// The run cannot go on; `last` is the last committed step once more, if there has been one.
+  /// The run cannot go on; `last` is the last committed step once more, if there has been one; where equilibrium is
+  /// lost with bonds, the state in which it was, under the number of the step that did not come to its end.
   virtual void run_stopped(const StepRecord* /*last*/) {}
 };
 
