@@ -36,6 +36,9 @@ void compare(const deck::Deck& deck, const char* name, std::size_t least, const 
   }
   EXPECT_EQ(alone.records.notes.size(), together.records.notes.size());
 
+  ASSERT_EQ(together.records.phases.size(), alone.records.phases.size());
+  for (std::size_t k = 0; k < alone.records.phases.size(); ++k)
+    EXPECT_EQ(together.records.phases[k].cause, alone.records.phases[k].cause);
   ASSERT_EQ(together.records.passes.size(), alone.records.passes.size());
   for (std::size_t k = 0; k < alone.records.passes.size(); ++k) {
     EXPECT_EQ(together.records.passes[k].critical, alone.records.passes[k].critical);

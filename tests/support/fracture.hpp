@@ -18,12 +18,15 @@ class FractureRecorder : public Recorder {
  public:
   void bonds_broken(const solve::BreakingPass& row) override { passes.push_back(row); }
   void note(const std::string& sentence) override { notes.push_back(sentence); }
+  void phase_begins(const solve::MotionPhase& phase) override { begun.push_back(phase); }
+  void phase_ended(const solve::MotionPhase& phase) override { phases.push_back(phase); }
   bool noted(const std::string& part) const {
     return std::any_of(notes.begin(), notes.end(),
                        [&](const std::string& note) { return note.find(part) != std::string::npos; });
   }
   std::vector<solve::BreakingPass> passes;
   std::vector<std::string> notes;
+  std::vector<solve::MotionPhase> begun, phases;
 };
 
 /// A quasi-static run and what it broke.
