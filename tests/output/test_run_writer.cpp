@@ -103,6 +103,23 @@ TEST_F(RunWriterTest, ARunThatStopsShortLeavesItsLastConvergedStep) {
   EXPECT_TRUE(file.has("/steps/3/displacement"));  // and where it stopped
 }
 
+TEST_F(RunWriterTest, AStateThatHasLostItsEquilibriumIsOneStepFurther) {
+  const std::string place = directory_ / "lost";
+  ::testing::internal::CaptureStderr();
+  {
+    RunWriter writer(deck_, body_, place, true);
+    for (int step = 1; step <= 3; ++step) writer.step_committed(record(step, false));
+    const solve::StepRecord lost = record(4, false);  // a step that `every: 2` would write had it come to its end
+    writer.run_stopped(&lost);
+  }
+  ::testing::internal::GetCapturedStderr();
+  const ParallelFile file(place + "/results.h5", one_rank_, ParallelFile::Mode::read);
+  EXPECT_TRUE(file.has("/steps/2/displacement"));
+  EXPECT_FALSE(file.has("/steps/3"));
+  EXPECT_TRUE(file.has("/steps/4/displacement"));
+  EXPECT_EQ(test::file_lines(place + "/history.csv").size(), 4u);  // the header and three rows
+}
+
 TEST_F(RunWriterTest, MovesEarlierResultsAside) {
   const auto run = [&](int steps) {
     RunWriter writer(deck_, body_, directory_.path(), false);
