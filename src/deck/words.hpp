@@ -30,7 +30,7 @@ inline const std::vector<std::string> history_kind{"reaction", "displacement", "
 /// Fields that every scene carries; the material models add their own.
 inline const std::vector<std::string> field{"displacement",     "force",           "dilatation", "damage",
                                             "stored_energy",    "weighted_volume", "stress",     "strain",
-                                            "von_mises_stress", "plastic_work",    "velocity"};
+                                            "von_mises_stress", "plastic_work",    "velocity",   "fragment"};
 
 /// The enumeration's value for a word that the schema has already accepted.
 template <class Enumeration>

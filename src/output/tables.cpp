@@ -71,7 +71,8 @@ std::string HistoryTable::header(const std::vector<std::string>& names, Columns 
   for (const std::string& name : names) header += "," + csv_cell(name);
   return header +
          ",stored_energy,dissipated_energy,external_work,newton_iterations,linear_iterations,seconds,products" +
-         seconds_columns() + (columns.fracture ? ",passes,broken_bonds,released_energy,relaxed_energy" : "") +
+         seconds_columns() +
+         (columns.fracture ? ",passes,broken_bonds,released_energy,relaxed_energy,fragments,single_particles" : "") +
          (columns.motion ? ",time,time_steps,kinetic_energy,damped_energy,contact_energy" : "") +
          (columns.phases ? ",phases,cause,phase_time,phase_energy" : "");
 }
@@ -85,8 +86,8 @@ void HistoryTable::row(const solve::StepRecord& record) {
   for (const Section section : columns) line += fmt::format(",{:.6g}", record.profile.seconds_of(section));
   if (columns_.fracture) {
     const solve::FractureRow row = record.fracture.value_or(solve::FractureRow());
-    line +=
-        fmt::format(",{},{},{:.17g},{:.17g}", row.passes, row.broken_bonds, row.released_energy, row.relaxed_energy);
+    line += fmt::format(",{},{},{:.17g},{:.17g},{},{}", row.passes, row.broken_bonds, row.released_energy,
+                        row.relaxed_energy, row.fragments, row.single_particles);
   }
   if (columns_.motion) {
     const solve::MotionRow row = record.motion.value_or(solve::MotionRow());

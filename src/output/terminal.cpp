@@ -12,7 +12,7 @@ namespace perinox::output {
 namespace {
 constexpr const char* erase_line = "\r\033[K";
 
-std::string plural(int count, const char* noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
+std::string plural(long long count, const char* noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
 }  // namespace
 
 bool screen_is_watched() {
@@ -84,8 +84,12 @@ void Terminal::step_committed(const solve::StepRecord& record) {
   time_left_ = record.last ? "" : fmt::format("  about {} left", duration(record.remaining_seconds));
   progress_ = record.last ? "" : fmt::format("step {}  t {:.6g}{}{}", record.step, record.t, end_, time_left_);
   if (record.motion && record.newton_iterations == 0 && record.motion->time == record.t) {
-    print(fmt::format("  row {} at t = {:.6g}: {} time steps, kinetic {:.4g}, stored {:.4g}, {}{}\n", record.step,
-                      record.t, record.motion->time_steps, record.motion->kinetic_energy, record.stored_energy,
+    const std::string broken = record.fracture
+                                   ? fmt::format("{}, {}, ", plural(record.fracture->broken_bonds, "broken bond"),
+                                                 plural(record.fracture->fragments, "fragment"))
+                                   : "";
+    print(fmt::format("  row {} at t = {:.6g}: {} time steps, kinetic {:.4g}, stored {:.4g}, {}{}{}\n", record.step,
+                      record.t, record.motion->time_steps, record.motion->kinetic_energy, record.stored_energy, broken,
                       duration(record.seconds), left));
     return;
   }

@@ -14,6 +14,7 @@ StepRecords::StepRecords(const deck::Deck& deck, const mechanics::Scene& scene)
   };
   if (scene.from_sums() && (asks("stress") || asks("strain") || asks("von_mises_stress")))
     stress_ = std::make_unique<mechanics::Stress>(scene);
+  if (deck.breaks() || asks("fragment")) fragments_ = std::make_unique<Fragments>(scene);
   if (asks("plastic_work")) plastic_work_.resize(static_cast<std::size_t>(scene.owned()));
   for (const auto& material : scene.materials()) {
     std::vector<std::size_t>& places = history_place_.emplace_back();
@@ -27,7 +28,18 @@ void StepRecords::fill(const State& state, bool written, StepRecord& row) {
   spread_history(state.committed);
   row.history.clear();
   for (const deck::HistoryEntry& entry : deck_.history) row.history.push_back(entry_value(state, entry));
+  count_fragments(written, row);
   row.fields = fields(state, written);
+}
+
+void StepRecords::count_fragments(bool written, StepRecord& row) {
+  if (!fragments_) return;
+  const long long broken = row.fracture ? row.fracture->broken_bonds : 0;
+  if (broken != broken_ || written) fragments_->find();
+  broken_ = broken;
+  if (!row.fracture) return;
+  row.fracture->fragments = fragments_->several();
+  row.fracture->single_particles = fragments_->single();
 }
 
 void StepRecords::spread_history(const mechanics::Committed& committed) {
@@ -73,6 +85,7 @@ std::vector<Field> StepRecords::fields(const State& state, bool written) {
       plastic_work_[i] = scene_.material(i).plastic_work(state.committed.point_history(scene_, i));
     all.push_back({"plastic_work", 1, plastic_work_.data()});
   }
+  if (fragments_) all.push_back({"fragment", 1, fragments_->number().data()});
   if (stress_) {
     if (written) stress_->evaluate(state.committed);
     all.push_back({"stress", 6, stress_->stress().data()});

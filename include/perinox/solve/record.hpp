@@ -33,8 +33,10 @@ struct Field {
 struct FractureRow {
   int passes = 0;  ///< of bond breaking in the step
   long long broken_bonds = 0;
-  double released_energy = 0;  ///< stored energy that went with the bonds as they broke, the deformation held
-  double relaxed_energy = 0;   ///< lost on the way to the next equilibrium of the passes: nobody's kinetic energy
+  double released_energy = 0;      ///< stored energy that went with the bonds as they broke, the deformation held
+  double relaxed_energy = 0;       ///< lost on the way to the next equilibrium of the passes: nobody's kinetic energy
+  long long fragments = 0;         ///< of more than one particle, that chains of intact bonds hold together
+  long long single_particles = 0;  ///< without a bond
 };
 /// Why a run left equilibrium and went on in time. The numbers are those of history.csv.
 enum class LostEquilibrium {

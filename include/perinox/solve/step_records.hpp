@@ -6,6 +6,7 @@
 #include "perinox/deck/deck.hpp"
 #include "perinox/mechanics/state.hpp"
 #include "perinox/mechanics/stress.hpp"
+#include "perinox/solve/fragments.hpp"
 #include "perinox/solve/record.hpp"
 
 namespace perinox::solve {
@@ -25,10 +26,11 @@ class StepRecords {
     const double* velocity = nullptr;  ///< [owned * dimension]; null: not in motion
   };
   /// Fills row.history and row.fields, which point into the state and into this. written: the fields that cost
-  /// something are made too. Collective.
+  /// something are made too. In row.fracture, where there is one, the fragments are counted. Collective.
   void fill(const State& state, bool written, StepRecord& row);
 
  private:
+  void count_fragments(bool written, StepRecord& row);
   void spread_history(const mechanics::Committed& committed);
   double entry_value(const State& state, const deck::HistoryEntry& entry) const;
   std::vector<Field> fields(const State& state, bool written);
@@ -40,6 +42,8 @@ class StepRecords {
   std::vector<std::vector<double>> history_values_;      ///< point history spread over all owned particles
   std::unique_ptr<mechanics::Stress> stress_;            ///< where the deck asks for a field that needs it
   std::vector<double> plastic_work_;                     ///< [owned] if the deck asks for it
+  std::unique_ptr<Fragments> fragments_;                 ///< where bonds can break or the deck asks for the field
+  long long broken_ = -1;                                ///< bonds when they were counted last; -1: never
 };
 
 }  // namespace perinox::solve
