@@ -42,6 +42,18 @@ struct Limits {
   double square;  ///< 1; 0: small strain, which leaves U . U out
 };
 
+/// Bit k: lane k is above zero.
+inline __attribute__((always_inline)) std::uint8_t bits_of(const Lanes& beyond) {
+  const auto may = beyond > Lanes{};
+  const Flags flags = __builtin_convertvector(may, Flags);
+  std::uint64_t word;
+  std::memcpy(&word, &flags, sizeof word);
+  unsigned bits = 0;
+  if (word)
+    for (int k = 0; k < lanes; ++k) bits |= (flags[k] ? 1u : 0u) << k;
+  return static_cast<std::uint8_t>(bits);
+}
+
 /// Sets bit k of found[o] where the bond of cell k along offset o may be critical.
 template <int d, bool energies>
 inline __attribute__((always_inline)) void screen(const Cells& at, const Offset* offsets, std::size_t count,
@@ -62,23 +74,48 @@ inline __attribute__((always_inline)) void screen(const Cells& at, const Offset*
       far -= u[c];
       change += far * (offset.twice[c] + limits.square * far);
     }
-    auto may = change > offset.change;
+    // One comparison: GCC 12 takes the lanes apart to join the results of two.
+    Lanes beyond = change - offset.change;
     if (energies) {
       Lanes radials, shears;
       std::memcpy(&radials, at.radial + offset.to, sizeof(Lanes));
       std::memcpy(&shears, at.shear + offset.to, sizeof(Lanes));
-      const Lanes extension = change * offset.inverse;
+      const Lanes extension = (change > zero ? change : zero) * offset.inverse;
       const Lanes energy =
           offset.weight * extension * (offset.length * (radials + radial) + 0.5 * extension * (shears + shear));
-      may = may | ((change > zero) & (energy > limits.energy));
+      const Lanes above = energy - limits.energy;
+      beyond = above > beyond ? above : beyond;
     }
-    const Flags flags = __builtin_convertvector(may, Flags);
-    std::uint64_t word;
-    std::memcpy(&word, &flags, sizeof word);
-    std::uint8_t bits = 0;
-    if (word)
-      for (int k = 0; k < lanes; ++k) bits = static_cast<std::uint8_t>(bits | ((flags[k] ? 1 : 0) << k));
-    found[o] = bits;
+    found[o] = bits_of(beyond);
+  }
+}
+
+/// The pairs of one particle of a cloud, and a row of eight for each of them: X, U, bound of radial + N . H, shear.
+struct Pairs {
+  const double* rows;       ///< [slots * lanes]
+  const std::int32_t* far;  ///< [count] slots
+  const double* length;     ///< [count]
+  const double* weight;     ///< [count]; null: 1
+  std::int64_t count;       ///< a multiple of lanes
+};
+
+/// Rows of eight bonds to columns.
+inline __attribute__((always_inline)) void transpose(Lanes* r) {
+  Lanes even[4], odd[4];
+  for (int k = 0; k < 4; ++k) {
+    even[k] = __builtin_shufflevector(r[2 * k], r[2 * k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    odd[k] = __builtin_shufflevector(r[2 * k], r[2 * k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  for (int k = 0; k < 2; ++k) {
+    const Lanes* from = k ? odd : even;
+    const Lanes low = __builtin_shufflevector(from[0], from[1], 0, 1, 8, 9, 4, 5, 12, 13);
+    const Lanes high = __builtin_shufflevector(from[0], from[1], 2, 3, 10, 11, 6, 7, 14, 15);
+    const Lanes low2 = __builtin_shufflevector(from[2], from[3], 0, 1, 8, 9, 4, 5, 12, 13);
+    const Lanes high2 = __builtin_shufflevector(from[2], from[3], 2, 3, 10, 11, 6, 7, 14, 15);
+    r[k] = __builtin_shufflevector(low, low2, 0, 1, 2, 3, 8, 9, 10, 11);
+    r[k + 4] = __builtin_shufflevector(low, low2, 4, 5, 6, 7, 12, 13, 14, 15);
+    r[k + 2] = __builtin_shufflevector(high, high2, 0, 1, 2, 3, 8, 9, 10, 11);
+    r[k + 6] = __builtin_shufflevector(high, high2, 4, 5, 6, 7, 12, 13, 14, 15);
   }
 }
 }  // namespace
@@ -98,6 +135,37 @@ PERINOX_WIDEST void screen_solid(const Cells& at, const Offset* offsets, std::si
     screen<3, false>(at, offsets, count, limits, found);
 }
 
+/// Sets bit k of found[g] where pair 8 g + k of the particle in slot `near` may be critical; whether one may.
+PERINOX_WIDEST bool screen_pairs(int near, const Pairs& pairs, double stretch, const Limits& limits,
+                                 std::uint8_t* found) {
+  const double* own = pairs.rows + static_cast<std::ptrdiff_t>(lanes) * near;
+  const Lanes zero{}, one = zero + 1.0;
+  unsigned any = 0;
+  for (std::int64_t k = 0; k < pairs.count; k += lanes) {
+    Lanes r[lanes], length, weight = one;
+    for (int lane = 0; lane < lanes; ++lane)
+      std::memcpy(&r[lane], pairs.rows + static_cast<std::ptrdiff_t>(lanes) * pairs.far[k + lane], sizeof(Lanes));
+    transpose(r);
+    std::memcpy(&length, pairs.length + k, sizeof(Lanes));
+    if (pairs.weight) std::memcpy(&weight, pairs.weight + k, sizeof(Lanes));
+    Lanes change = zero;
+    for (int c = 0; c < 3; ++c) {
+      const Lanes relative = r[3 + c] - own[3 + c];
+      change += (2.0 * (r[c] - own[c]) + limits.square * relative) * relative;
+    }
+    change = change > zero ? change : zero;
+    const Lanes square = length * length;
+    // Energies without a division: times 2 xi^2 for the first term, 4 xi^2 for the second.
+    const Lanes energy = weight * change * (2.0 * square * (r[6] + own[6]) + 0.5 * change * (r[7] + own[7])) -
+                         4.0 * limits.energy * square;
+    Lanes beyond = change - 2.0 * stretch * square;
+    beyond = energy > beyond ? energy : beyond;
+    found[k / lanes] = bits_of(beyond);
+    any |= found[k / lanes];
+  }
+  return any != 0;
+}
+
 BondScreen::BondScreen(const mechanics::Scene& scene, const std::vector<BondLimit>& limits)
     : scene_(scene), stretch_(infinite), energy_(infinite), dimension_(scene.dimension()) {
   for (const BondLimit& limit : limits) {
@@ -111,7 +179,6 @@ const std::vector<BondScreen::Candidate>& BondScreen::find(const double* displac
   const auto d = static_cast<std::size_t>(dimension_);
   const auto n = static_cast<std::size_t>(bonds::mandel_size(dimension_));
   const bonds::LatticeFamilies* lattice = scene_.lattice();
-  const std::size_t stride = 2 * d + 2;
   if (lattice && values_.empty()) {
     for (const bonds::StencilOffset& offset : lattice->offsets())
       guard_ = std::max(guard_, std::abs(offset.step[0] + offset.step[1] * lattice->grid().row +
@@ -119,7 +186,9 @@ const std::vector<BondScreen::Candidate>& BondScreen::find(const double* displac
     cells_ = lattice->grid().size() + 2 * guard_ + lanes;
     values_.assign(static_cast<std::size_t>(cells_) * (d + 2), 0.0);
   } else if (values_.empty()) {
-    values_.assign(static_cast<std::size_t>(scene_.pairs()->slots()) * stride, 0.0);
+    // What is not there compares with nothing.
+    values_.assign(static_cast<std::size_t>(scene_.pairs()->slots()) * lanes, 0.0);
+    std::fill(values_.end() - lanes, values_.end(), std::numeric_limits<double>::quiet_NaN());
   }
   for (LocalIndex i = 0; i < scene_.local(); ++i) {
     double radial = 0, shear = 0;
@@ -137,13 +206,13 @@ const std::vector<BondScreen::Candidate>& BondScreen::find(const double* displac
       to[0] = radial;
       to[cells_] = shear;
     } else {
-      double* to = values_.data() + stride * static_cast<std::size_t>(scene_.pairs()->slot()[i]);
+      double* to = values_.data() + static_cast<std::size_t>(scene_.pairs()->slot()[i]) * lanes;
       for (std::size_t c = 0; c < d; ++c) {
         to[c] = scene_.body().position(i)[c];
-        to[d + c] = u[c];
+        to[3 + c] = u[c];
       }
-      to[2 * d] = radial;
-      to[2 * d + 1] = shear;
+      to[6] = radial;
+      to[7] = shear;
     }
   }
   found_.clear();
@@ -194,32 +263,20 @@ void BondScreen::find_on_lattice() {
 
 void BondScreen::find_in_pairs() {
   const bonds::PairFamilies& families = *scene_.pairs();
-  const auto d = static_cast<std::size_t>(dimension_), stride = 2 * d + 2;
-  const double square = scene_.small_strain() ? 0.0 : 1.0;
   const int none = families.slots() - 1, owned = scene_.owned();
+  const double* weight = families.weight().empty() ? nullptr : families.weight().data();
+  const Limits limits{energy_, scene_.small_strain() ? 0.0 : 1.0};
+  std::vector<std::uint8_t> found;
   for (int s = 0; s < owned; ++s) {
-    const double* near = values_.data() + stride * static_cast<std::size_t>(s);
-    for (std::int64_t k = families.begin()[s]; k < families.begin()[s + 1]; ++k) {
-      const int slot = families.far()[k];
-      if (slot == none) continue;
-      const double* far = values_.data() + stride * static_cast<std::size_t>(slot);
-      double change = 0;
-      for (std::size_t c = 0; c < d; ++c) {
-        const double relative = far[d + c] - near[d + c];
-        change += (2 * (far[c] - near[c]) + square * relative) * relative;
-      }
-      if (!(change > 0)) continue;
-      const double length = families.length()[k];
-      const double weight = families.weight().empty() ? 1.0 : families.weight()[k];
-      bool may = change > 2 * stretch_ * length * length;
-      // Energies without a division: times 2 xi^2 for the first term, 4 xi^2 for the second.
-      if (!may && energy_ < infinite)
-        may =
-            weight * change *
-                (2 * length * length * (near[2 * d] + far[2 * d]) + 0.5 * change * (near[2 * d + 1] + far[2 * d + 1])) >
-            4 * length * length * energy_;
-      if (may) found_.push_back({families.particle()[s], families.particle()[slot], length, weight});
-    }
+    const std::int64_t begin = families.begin()[s];
+    const Pairs pairs{values_.data(), families.far().data() + begin, families.length().data() + begin,
+                      weight ? weight + begin : nullptr, families.begin()[s + 1] - begin};
+    found.resize(static_cast<std::size_t>(pairs.count / lanes));
+    if (!screen_pairs(s, pairs, stretch_, limits, found.data())) continue;
+    for (std::int64_t k = 0; k < pairs.count; ++k)
+      if ((found[static_cast<std::size_t>(k / lanes)] >> (k % lanes) & 1u) && pairs.far[k] != none)
+        found_.push_back({families.particle()[s], families.particle()[pairs.far[k]], pairs.length[k],
+                          pairs.weight ? pairs.weight[k] : 1.0});
   }
 }
 

@@ -35,7 +35,7 @@ class BondScreen {
   int dimension_;
   std::int64_t guard_ = 0;      ///< cells that the stencil reaches beyond the grid
   std::int64_t cells_ = 0;      ///< of an array
-  std::vector<double> values_;  ///< lattice: arrays over the grid; pairs: [slots * (2 dimension + 2)]
+  std::vector<double> values_;  ///< lattice: arrays over the grid; pairs: [slots * 8]
   std::vector<Candidate> found_;
 };
 
