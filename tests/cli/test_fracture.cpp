@@ -56,7 +56,9 @@ TEST(Fracture, WithOneItGoesOnToTheEnd) {
     EXPECT_THAT(outcome.out, HasSubstr("at rest at t = 0.15 after "));
     const std::vector<std::string> rows = lines_of(read(folder.path() / "out/history.csv"));
     ASSERT_EQ(rows.size(), 6u);
-    EXPECT_THAT(rows[0], HasSubstr(",passes,broken_bonds,released_energy,relaxed_energy,time,time_steps,"));
+    EXPECT_THAT(
+        rows[0],
+        HasSubstr(",passes,broken_bonds,released_energy,relaxed_energy,fragments,single_particles,time,time_steps,"));
     EXPECT_THAT(rows[5], StartsWith("5,0.25,"));
   }
 }
