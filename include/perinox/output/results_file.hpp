@@ -61,7 +61,7 @@ class ResultsFile {
   int dimension_ = 3;
   RowOrder order_;
   XdmfIndex index_;
-  bool steps_as_time_;
+  bool steps_as_time_ = false;
 };
 
 }  // namespace perinox::output
