@@ -28,7 +28,7 @@ Damage convert_damage(const Value& value) {
   if (value.has("ductile"))
     damage.ductile = DuctileFailure{value.at("ductile").at("d0").number(), value.at("ductile").at("c").number()};
   damage.criterion = word_of<BreakCriterion>(value, "criterion", words::break_criterion);
-  if (value.at("criterion").given() && !damage.energy_release_rate)
+  if (damage.criterion != BreakCriterion::automatic && !damage.energy_release_rate)
     refuse(value.at("criterion").location(), "criterion goes with energy_release_rate only; remove it");
   return damage;
 }
