@@ -16,7 +16,7 @@ finish() { [ -n "$mounted" ] && umount "$mounted"; rm -rf "$work"; }
 trap finish EXIT
 cd "$work" || exit 2
 
-cat > deck.yaml <<'DECK'
+cat > block.yaml <<'DECK'
 title: tortured block
 dimension: 3
 body: [{name: block, shape: {box: {min: [0, 0, 0], max: [7, 7, 16]}}, spacing: 1, material: metal}]
@@ -31,20 +31,65 @@ output: {fields: [displacement, force, plastic_multiplier]}
 history: [{name: pull, reaction: head, component: z}, {name: plastic, yielded: all}]
 DECK
 
+# A bar that snaps: bonds break, 270 time steps until it is at rest in two pieces, then steps again.
+cat > bar.yaml <<'DECK'
+title: tortured bar
+dimension: plane-stress
+body: [{name: bar, shape: {box: {min: [0, 0], max: [60, 10]}}, spacing: 1, material: brittle}]
+horizon: {ratio: 3.015}
+cracks: [{segment: {start: [30, 0], end: [30, 3]}}]
+materials: {brittle: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, density: 1.0e-9, damage: {energy_release_rate: 0.05}}}
+sets: {wall: {where: "x < 3"}, pulled: {where: "x > 57"}}
+boundary:
+  - {set: wall, displacement: {x: 0, y: 0}}
+  - {set: pulled, force: {x: "60*t"}}
+fracture: {unbreakable: [wall, pulled]}
+steps: {end: 1, count: 20}
+output: {fields: [displacement, damage], checkpoint_seconds: 0.01}
+history: [{name: stretch, displacement: pulled, component: x}]
+DECK
+# Blocks that collide, flow and break in time, in few rows of many time steps.
+cat > blocks.yaml <<'DECK'
+title: tortured blocks
+dimension: 3
+body:
+  - {name: left, shape: {box: {min: [0, 0, 0], max: [12, 6, 6]}}, spacing: 1, material: steel}
+  - {name: right, shape: {box: {min: [12.5, 0, 0], max: [24.5, 6, 6]}}, spacing: 1, material: steel}
+bond_bodies: false
+horizon: {ratio: 2.015}
+materials: {steel: {model: elastic-plastic, young_modulus: 210e3, poisson_ratio: 0.3, density: 7.85e-9, yield_stress: {tension: 400}, damage: {critical_stretch: 0.02}}}
+dynamics: explicit
+explicit: {contact: {distance: 0.9}}
+initial_velocity: [{set: left, velocity: {x: 1e5, z: 2e4}}, {set: right, velocity: {x: -1e5}}]
+boundary: []
+steps: {end: 6e-5, count: 4}
+output: {fields: [displacement, velocity, damage], checkpoint_seconds: 0.01}
+history: [{name: left, displacement: left, component: x}]
+DECK
+
+deck=block
 start() { # ranks, arguments
   local ranks=$1
   shift
-  if [ "$ranks" -gt 1 ]; then mpirun --oversubscribe -np "$ranks" "$perinox" run deck.yaml "$@"
-  else "$perinox" run deck.yaml "$@"; fi
+  if [ "$ranks" -gt 1 ]; then mpirun --oversubscribe -np "$ranks" "$perinox" run $deck.yaml "$@"
+  else "$perinox" run $deck.yaml "$@"; fi
 }
-numbers() { cut -d, -f1-9 "$1/history.csv"; } # without the times
+numbers() { # without the times
+  awk -F, 'NR == 1 {for (k = 1; k <= NF; ++k) keep[k] = $k !~ /^seconds/}
+    {line = ""; for (k = 1; k <= NF; ++k) if (keep[k]) line = line "," $k; print line}' "$1/history.csv"
+}
 rows() { cat "$1/history.csv" 2> /dev/null | grep -c '^[0-9].*[0-9]$'; }
 
-begun=$(date +%s.%N)
-for ranks in 1 2; do
-  start $ranks --output "whole$ranks" --quiet || { echo "the run that nothing happens to fails" >&2; exit 2; }
-done
-took=$(echo "$(date +%s.%N) $begun" | awk '{print ($1 - $2) / 2}')
+# The run of the deck that nothing happens to, and the seconds it takes.
+undisturbed() {
+  local begun
+  begun=$(date +%s.%N)
+  for ranks in 1 2; do
+    rm -rf "whole$ranks"
+    start $ranks --output "whole$ranks" --quiet || { echo "the run that nothing happens to fails" >&2; exit 2; }
+  done
+  took=$(echo "$(date +%s.%N) $begun" | awk '{print ($1 - $2) / 2}')
+}
 
 declare -A tried resumed anew redone lost wrong
 order=()
@@ -71,6 +116,8 @@ go_on() {
   if [ "${arguments[0]}" = --restart ]; then
     resumed[$fault]=$((${resumed[$fault]} + 1))
     from=$(echo "$text" | sed -n 's/^restart after step \([0-9]*\),.*/\1/p')
+    # Within a step nothing that was written is done again.
+    [ -n "$from" ] || from=$(($(echo "$text" | sed -n 's/^restart within step \([0-9]*\),.*/\1/p') - 1))
     # A row is written before its checkpoint: the last one may have to be done again.
     redone[$fault]=$((${redone[$fault]} + (had > from ? had - from : 0)))
     [ $((had - from)) -gt 1 ] && lost[$fault]=$((${lost[$fault]} + had - from - 1))
@@ -97,12 +144,20 @@ hit() { # fault, ranks, signal
   sleep "$(moment "$([ "$2" -gt 1 ] && echo 0.8 || echo 0.15)")"
   # The program itself, or one of the ranks under mpirun; the directory's name is this script's alone.
   local whom
-  whom=$(pgrep -f "^$perinox run deck.yaml --output $work/hit" | shuf -n 1)
+  whom=$(pgrep -f "^$perinox run $deck.yaml --output $work/hit" | shuf -n 1)
   [ -n "$whom" ] && kill -"$3" "$whom" 2> /dev/null
   wait $run 2> /dev/null
   go_on "$1" hit "$2"
 }
 
+for deck in bar blocks block; do
+  undisturbed
+  [ $deck = block ] && break
+  for ((k = 0; k < (kills + 1) / 2; ++k)); do hit "kill -9, $deck" 1 KILL; done
+  for ((k = 0; k < (kills + 7) / 8; ++k)); do hit "kill -9 of a rank of 2, $deck" 2 KILL; done
+  for ((k = 0; k < (kills + 7) / 8; ++k)); do hit "SIGTERM, $deck" 1 TERM; done
+  for ((k = 0; k < (kills + 7) / 8; ++k)); do hit "SIGUSR1 on 2 ranks, $deck" 2 USR1; done
+done
 for ((k = 0; k < kills; ++k)); do hit "kill -9" 1 KILL; done
 for ((k = 0; k < (kills + 3) / 4; ++k)); do hit "kill -9 of a rank of 2" 2 KILL; done
 for ((k = 0; k < (kills + 3) / 4; ++k)); do hit "SIGTERM" 1 TERM; done
@@ -182,10 +237,10 @@ if mount -t tmpfs -o size=4m tmpfs full 2> /dev/null; then
   mounted=""
 fi
 
-printf '\n%-28s %6s %8s %10s %12s %11s %14s\n' fault tried resumed "begun anew" "steps redone" "steps lost" "wrong answers"
+printf '\n%-31s %6s %8s %10s %12s %11s %14s\n' fault tried resumed "begun anew" "steps redone" "steps lost" "wrong answers"
 bad=0
 for fault in "${order[@]}"; do
-  printf '%-28s %6d %8d %10d %12d %11d %14d\n' "$fault" "${tried[$fault]}" "${resumed[$fault]}" "${anew[$fault]}" \
+  printf '%-31s %6d %8d %10d %12d %11d %14d\n' "$fault" "${tried[$fault]}" "${resumed[$fault]}" "${anew[$fault]}" \
     "${redone[$fault]}" "${lost[$fault]}" "${wrong[$fault]}"
   bad=$((bad + ${lost[$fault]} + ${wrong[$fault]}))
 done
