@@ -18,6 +18,16 @@ namespace fs = std::filesystem;
 
 /// A step is taken for granted to last this many times the one before at most.
 constexpr double caution = 1.25;
+/// Within a step a checkpoint comes after so many times what the last one took at the earliest.
+constexpr double most_writing = 20;
+
+/// The longest time from one moment to the next, of late: a long one is forgotten slowly, so that one short one after
+/// it does not make the run reckless. Moves `last` on to now.
+double of_late(double longest, double& last) {
+  const double now = steady_seconds(), since = now - last;
+  last = now;
+  return std::max(since, 0.8 * longest);
+}
 
 /// As a shell takes it for one word.
 std::string word(const std::string& text) {
@@ -60,12 +70,12 @@ std::optional<Restart> find_restart(const Options& options, const deck::Deck& de
   return from;
 }
 
-Checkpointing::Checkpointing(const Options& options, const deck::Deck& deck, const solve::LoadStepper& stepper,
+Checkpointing::Checkpointing(const Options& options, const deck::Deck& deck, std::function<void(StateWriter&)> save,
                              output::RunWriter& writer, const body::Body& body, const std::string& directory,
                              double begin)
     : options_(options),
       deck_(deck),
-      stepper_(stepper),
+      save_(std::move(save)),
       writer_(writer),
       communicator_(body.communicator),
       asked_(deck::checkpoints(deck)),
@@ -73,36 +83,52 @@ Checkpointing::Checkpointing(const Options& options, const deck::Deck& deck, con
       resolved_(deck::write_resolved(deck)),
       file_((fs::path(directory) / "checkpoint.h5").string(), body),
       begin_(begin),
-      last_(steady_seconds()) {}
+      last_(steady_seconds()),
+      last_pass_(last_),
+      last_write_(last_) {}
 
 void Checkpointing::committed(const solve::StepRecord& record) {
   const bool due = possible_ && asked_.every > 0 && (record.last || record.step % asked_.every == 0);
-  if (due) write(record);
-  const std::string reason = record.last ? "" : reason_to_stop(record);
+  if (due) write(record.step, record.t, false);
+  longest_ = of_late(longest_, last_);
+  last_pass_ = last_;
+  const std::string reason = record.last ? "" : reason_to_stop(caution * longest_);
   if (reason.empty()) return;
-  if (!due && possible_) write(record);
+  if (!due && possible_) write(record.step, record.t, false);
   throw RunError(
       fmt::format("stopped after step {}, t = {:.10g} of {:g}: {}", record.step, record.t, deck_.steps.end, reason));
 }
 
-void Checkpointing::write(const solve::StepRecord& record) {
-  const output::RunWriter::Continuation tables = writer_.sync(record.step);
+void Checkpointing::passing(int step, double t) {
+  longest_pass_ = of_late(longest_pass_, last_pass_);
+  const std::string reason = reason_to_stop(caution * (longest_pass_ + writing_));
+  const bool late = last_pass_ - last_write_ >= std::max(asked_.seconds, most_writing * writing_);
+  const bool due = possible_ && asked_.every > 0 && communicator_.any(late);
+  if (possible_ && (due || !reason.empty())) write(step, t, true);
+  if (!reason.empty())
+    throw RunError(
+        fmt::format("stopped within step {}, t = {:.10g} of {:g}: {}", step + 1, t, deck_.steps.end, reason));
+}
+
+void Checkpointing::write(int step, double t, bool within) {
+  const output::RunWriter::Continuation tables = writer_.sync(step);
   const Profile::Scope timed(communicator_.profile(), Section::output);
+  const double before = steady_seconds();
   output::CheckpointHead head;
-  head.step = record.step;
-  head.t = record.t;
+  head.step = step;
+  head.t = t;
   head.deck = resolved_;
   head.history_bytes = tables.history_bytes;
   head.convergence_bytes = tables.convergence_bytes;
-  file_.write(head, [&](StateWriter& writer) { stepper_.save(writer); });
+  head.phases = tables.phases;
+  head.attempt = within ? std::max(tables.attempt, 1) : 0;
+  file_.write(head, save_);
   ++count_;
+  last_write_ = steady_seconds();
+  writing_ = last_write_ - before;
 }
 
-std::string Checkpointing::reason_to_stop(const solve::StepRecord&) {
-  const double now = steady_seconds();
-  // Of late: a long step is forgotten slowly, so that one short step after it does not make the run reckless.
-  longest_ = std::max(now - last_, 0.8 * longest_);
-  last_ = now;
+std::string Checkpointing::reason_to_stop(double seconds) const {
   const std::string signal = noted_signal();
   if (communicator_.any(!signal.empty())) {
     // Only one of the ranks may know which.
@@ -114,7 +140,7 @@ std::string Checkpointing::reason_to_stop(const solve::StepRecord&) {
     return fmt::format("{} was received", number == 1 ? "SIGTERM" : number == 2 ? "SIGINT" : "SIGUSR1");
   }
   if (!asked_.time_limit) return "";
-  const bool late = now - begin_ + caution * longest_ > *asked_.time_limit;
+  const bool late = steady_seconds() - begin_ + seconds > *asked_.time_limit;
   if (!communicator_.any(late)) return "";
   return fmt::format("another step may not end before steps.time_limit = {:g} s", *asked_.time_limit);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -6,7 +7,7 @@
 #include "perinox/deck/restart.hpp"
 #include "perinox/output/checkpoint.hpp"
 #include "perinox/output/run_writer.hpp"
-#include "perinox/solve/load_stepper.hpp"
+#include "perinox/solve/record.hpp"
 
 namespace perinox::app {
 
@@ -21,36 +22,44 @@ struct Restart {
 /// InputError: not whole, or keys differ that may not.
 std::optional<Restart> find_restart(const Options& options, const deck::Deck& deck, const Communicator& communicator);
 
-/// Writes checkpoints as a run goes, and stops it between two steps: when a signal has been noted or the deck's time is
-/// nearly up.
+/// Writes checkpoints as a run goes, and stops it between two steps, or time steps: when a signal has been noted or the
+/// deck's time is nearly up.
 class Checkpointing {
  public:
-  /// Everything is kept by reference. begin: seconds of the steady clock at which the run's time began.
-  Checkpointing(const Options& options, const deck::Deck& deck, const solve::LoadStepper& stepper,
+  /// save hands over all that the run goes on from. All but it is kept by reference. begin: seconds of the steady clock
+  /// at which the run's time began.
+  Checkpointing(const Options& options, const deck::Deck& deck, std::function<void(StateWriter&)> save,
                 output::RunWriter& writer, const body::Body& body, const std::string& directory, double begin);
 
   /// To be called after every committed step. Collective. Throws RunError to stop the run.
   void committed(const solve::StepRecord& record);
 
+  /// To be called between time steps of a step that has not been committed. step: the last that has. Collective. Throws
+  /// RunError to stop the run.
+  void passing(int step, double t);
+
   /// The command that goes on from the last checkpoint, "" if there is none.
   std::string resume_command() const;
 
  private:
-  void write(const solve::StepRecord& record);
-  std::string reason_to_stop(const solve::StepRecord& record);
+  void write(int step, double t, bool within);
+  /// seconds: what must still fit into the deck's time.
+  std::string reason_to_stop(double seconds) const;
 
   const Options& options_;
   const deck::Deck& deck_;
-  const solve::LoadStepper& stepper_;
+  std::function<void(StateWriter&)> save_;
   output::RunWriter& writer_;
   Communicator communicator_;
   deck::Checkpoints asked_;
   bool possible_;  ///< a checkpoint would hold everything
   std::string resolved_;
   output::CheckpointWriter file_;
-  double begin_, last_ = 0;
-  double longest_ = 0;  ///< from one committed step to the next, of late
-  int count_ = 0;       ///< checkpoints written
+  double begin_, last_ = 0, last_pass_ = 0, last_write_ = 0;  ///< moments
+  double longest_ = 0;                                        ///< from one committed step to the next, of late
+  double longest_pass_ = 0;                                   ///< the same between time steps that are told of
+  double writing_ = 0;                                        ///< seconds that the last checkpoint took
+  int count_ = 0;                                             ///< checkpoints written
 };
 
 /// Seconds of the steady clock.

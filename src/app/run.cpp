@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <type_traits>
 
 #include "checkpointing.hpp"
 #include "perinox/app/commands.hpp"
@@ -55,19 +54,21 @@ void run_into(Stepper& stepper, const Problem& problem, const Options& options, 
   const bool goes_on = from && communicator.any(communicator.is_root() && same_directory(from->directory, directory));
   if (talk && from)
     fmt::print(
-        "restart after step {}, t = {:.10g}: {}\n", from->head.step, from->head.t,
+        "restart {} step {}, t = {:.10g}: {}\n", from->head.attempt > 0 ? "within" : "after",
+        from->head.step + (from->head.attempt > 0 ? 1 : 0), from->head.t,
         goes_on ? "the files of " + directory + " go on" : "new files in " + directory + " begin with the next step");
   const output::RunWriter::Continuation kept =
-      goes_on ? output::RunWriter::Continuation{from->head.step, from->head.history_bytes, from->head.convergence_bytes}
-              : output::RunWriter::Continuation();
+      goes_on
+          ? output::RunWriter::Continuation{from->head.step, from->head.history_bytes, from->head.convergence_bytes,
+                                            static_cast<int>(from->head.phases), static_cast<int>(from->head.attempt)}
+          : output::RunWriter::Continuation();
   const body::Body& body = problem.scene.body();
   const auto writer = goes_on ? std::make_unique<output::RunWriter>(problem.deck, body, directory, options.quiet, kept)
                               : std::make_unique<output::RunWriter>(problem.deck, body, directory, options.quiet);
-  std::optional<Checkpointing> checkpoints;
-  if constexpr (std::is_same_v<Stepper, solve::LoadStepper>) {
-    checkpoints.emplace(options, problem.deck, stepper, *writer, body, directory, begin);
-    stepper.on_commit([&](const solve::StepRecord& record) { checkpoints->committed(record); });
-  }
+  const auto save = [&](StateWriter& to) { stepper.save(to); };
+  Checkpointing checkpoints(options, problem.deck, save, *writer, body, directory, begin);
+  stepper.on_commit([&](const solve::StepRecord& record) { checkpoints.committed(record); });
+  stepper.on_passing([&](int step, double t) { checkpoints.passing(step, t); });
   const ProfileReading before = communicator.profile().read();
   const auto say_times = [&] {
     const ProfileReading times = communicator.slowest(communicator.profile().read() - before);
@@ -77,17 +78,22 @@ void run_into(Stepper& stepper, const Problem& problem, const Options& options, 
     stepper.run(*writer);
   } catch (const RunError& error) {
     say_times();
-    const std::string command = checkpoints ? checkpoints->resume_command() : "";
+    const std::string command = checkpoints.resume_command();
     throw RunError(command.empty() ? error.what() : fmt::format("{}\nresume with: {}", error.what(), command));
   }
   say_times();
 }
 
-int run_in_time(Problem& problem, const Options& options, const Communicator& communicator) {
+int run_in_time(Problem& problem, const Options& options, const Communicator& communicator,
+                const std::optional<Restart>& from, double begin) {
   solve::TimeStepper stepper(problem.deck, problem.scene);
+  if (from) {
+    output::CheckpointReader reader(from->file, problem.scene.body());
+    stepper.restore(reader);
+  }
   const std::string remark = stepper.plan().remark;
   if (communicator.is_root() && !remark.empty()) fmt::print(stderr, "warning: {}\n", remark);
-  run_into(stepper, problem, options, communicator, std::nullopt, steady_seconds());
+  run_into(stepper, problem, options, communicator, from, begin);
   const solve::MotionEnergies& e = stepper.energies();
   const double gain = e.scale() > 0 ? e.gain() / e.scale() : 0;
   if (communicator.is_root() && !options.quiet)
@@ -95,7 +101,7 @@ int run_in_time(Problem& problem, const Options& options, const Communicator& co
         "done: kinetic {:.6g}, stored {:.6g}, dissipated {:.6g}, damped {:.6g}, released {:.6g}, in contacts {:.6g}, "
         "external work {:.6g} ({:+.1e} of the largest not accounted for, {:.1e} at worst); results in {}\n",
         e.kinetic, e.stored, e.dissipated, e.damped, e.released, e.contact, e.external_work, -gain,
-        stepper.worst_gain(), directory_of(options, std::nullopt));
+        stepper.worst_gain(), directory_of(options, from));
   if (communicator.is_root() && stepper.worst_gain() > worth_a_warning_in_time)
     fmt::print(stderr,
                "warning: up to {:.1f} % of the energy is not accounted for; the time steps are too long for what "
@@ -111,8 +117,9 @@ int run(const Options& options, const Communicator& communicator) {
   const std::optional<Restart> from =
       options.restart.empty() ? std::nullopt : find_restart(options, read_deck(options, communicator), communicator);
   Problem problem = prepare(options, communicator);
-  if (problem.deck.dynamics == deck::Dynamics::explicit_) return run_in_time(problem, options, communicator);
   note_stop_signals();
+  if (problem.deck.dynamics == deck::Dynamics::explicit_)
+    return run_in_time(problem, options, communicator, from, begin);
   solve::LoadStepper stepper(problem.deck, problem.scene);
   if (from) {
     output::CheckpointReader reader(from->file, problem.scene.body());

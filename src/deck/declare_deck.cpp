@@ -62,12 +62,17 @@ Key declare_output(const std::vector<ModelDeclaration>& models) {
       list_key("fields", "The fields written at each output step.", word_key("", names, "", "Name of a field."));
   fields.unique = true;
   fields.fallback = "[displacement, force]";
+  Key seconds = positive_key("checkpoint_seconds", "seconds",
+                             "While a run moves in time, write checkpoint.h5 also between two steps when the last one "
+                             "is so long ago, on the clock, and twenty times as long as it took to write.");
+  seconds.fallback = "60";
   Key key = map_key(
       "output", "What is written to results.h5, and how often a checkpoint.",
       {integer_key("every", 1, 1e9, "1", "Write every so many converged steps; the last is always written."), fields,
        integer_key("checkpoint_every", 0, 1e9, "1",
                    "Write checkpoint.h5, from which perinox run --restart goes on, every so many converged steps; 0: "
-                   "never.")});
+                   "never."),
+       seconds});
   key.fallback = "{}";
   key.example = "output: {every: 5, fields: [displacement, force, dilatation]}";
   return key;

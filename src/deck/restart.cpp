@@ -11,9 +11,9 @@ namespace perinox::deck {
 namespace {
 
 /// The one list of what may change on a restart; a key stands for everything below it.
-const std::vector<std::string> changeable = {"title",          "steps.end",      "steps.count",
-                                             "steps.adaptive", "steps.max_cuts", "steps.time_limit",
-                                             "solver",         "output",         "history"};
+const std::vector<std::string> changeable = {
+    "title",  "steps.end", "steps.count", "steps.adaptive",  "steps.max_cuts",    "steps.time_limit",
+    "solver", "output",    "history",     "explicit.safety", "explicit.time_step"};
 
 bool same_number(const std::string& a, const std::string& b) {
   const auto x = parse_number(a), y = parse_number(b);
@@ -66,14 +66,13 @@ void compare(const Value& before, const Value& after, const std::string& path, s
 Checkpoints checkpoints(const Deck& deck) {
   Checkpoints asked;
   asked.every = static_cast<int>(deck.resolved.at("output").at("checkpoint_every").integer());
+  asked.seconds = deck.resolved.at("output").at("checkpoint_seconds").number();
   const Value& steps = deck.resolved.at("steps");
   if (steps.has("time_limit")) asked.time_limit = steps.at("time_limit").number();
   return asked;
 }
 
 std::string not_in_checkpoints(const Deck& deck) {
-  if (deck.breaks()) return "bonds that break";
-  if (deck.may_move()) return "motion in time";
   if (deck.steps.control != Control::load) return "arc-length control";
   return "";
 }

@@ -110,9 +110,16 @@ void Scene::drop_fits() {
   if (families_.moments.empty()) families_.fit = {};
 }
 
-void Scene::break_bonds(const std::vector<BondEnds>& ends) {
-  if (ends.empty()) return;
+void Scene::break_bonds(const std::vector<BondEnds>& found) {
+  if (found.empty()) return;
   if (!from_sums_) throw std::logic_error("bonds of a material that is not made of sums cannot break");
+  // In the order of ids, so that damage adds up alike whoever has found them.
+  std::vector<BondEnds> ends = found;
+  const auto ids_of = [&](const BondEnds& bond) {
+    const GlobalId a = body_.id[bond[0]], b = body_.id[bond[1]];
+    return std::make_pair(std::min(a, b), std::max(a, b));
+  };
+  std::sort(ends.begin(), ends.end(), [&](const BondEnds& a, const BondEnds& b) { return ids_of(a) < ids_of(b); });
   families_.broken_volume.resize(static_cast<std::size_t>(body_.owned), 0.0);
   for (const BondEnds& bond : ends) {
     double square = 0;  // omega xi^2 and the quadrature's share

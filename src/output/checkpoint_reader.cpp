@@ -65,6 +65,8 @@ CheckpointHead read_checkpoint_head(const std::string& path, const Communicator&
     head.ranks = file.integer_attribute("/", "ranks");
     head.history_bytes = file.integer_attribute("/", "history_bytes");
     head.convergence_bytes = file.integer_attribute("/", "convergence_bytes");
+    head.phases = file.integer_attribute("/", "phases");
+    head.attempt = file.integer_attribute("/", "attempt");
     return head;
   });
 }
@@ -111,6 +113,10 @@ double CheckpointReader::number(const std::string& name) const {
 
 long long CheckpointReader::integer(const std::string& name) const {
   return as_input([&] { return plan_->file.integer_attribute(group_of(name), leaf_of(name)); });
+}
+
+std::string CheckpointReader::text(const std::string& name) const {
+  return as_input([&] { return plan_->file.text_attribute(group_of(name), leaf_of(name)); });
 }
 
 std::vector<double> CheckpointReader::particles(const std::string& name, int components) const {

@@ -39,6 +39,9 @@ class Counting : public StateWriter {
   explicit Counting(const Communicator& communicator) : communicator_(communicator) {}
   void number(const std::string&, double) override { bytes_ += overhead; }
   void integer(const std::string&, long long) override { bytes_ += overhead; }
+  void text(const std::string&, const std::string& value) override {
+    bytes_ += overhead + static_cast<double>(value.size());
+  }
   void particles(const std::string&, const double*, int components) override {
     bytes_ += overhead;
     columns_ += components;
@@ -67,6 +70,9 @@ class Writing : public StateWriter {
   }
   void integer(const std::string& name, long long value) override {
     file_.set_attribute(group_of(name), leaf_of(name), static_cast<GlobalId>(value));
+  }
+  void text(const std::string& name, const std::string& value) override {
+    file_.set_attribute(group_of(name), leaf_of(name), value);
   }
   void particles(const std::string& name, const double* values, int components) override {
     group_of(name);
@@ -159,6 +165,8 @@ void CheckpointWriter::fill(const CheckpointHead& head, const std::function<void
   file.set_attribute("/", "body_hash", plan_->fingerprint);
   file.set_attribute("/", "history_bytes", static_cast<GlobalId>(head.history_bytes));
   file.set_attribute("/", "convergence_bytes", static_cast<GlobalId>(head.convergence_bytes));
+  file.set_attribute("/", "phases", static_cast<GlobalId>(head.phases));
+  file.set_attribute("/", "attempt", static_cast<GlobalId>(head.attempt));
   Writing writing(file, plan_->order, plan_->lists);
   save(writing);
   file.close();

@@ -70,7 +70,7 @@ ResultsFile::ResultsFile(std::string directory, const std::string& title, const 
   Later later;
   std::string sentence;
   if (communicator_.is_root()) try {
-      later = look_back(kept.last_step, fields);
+      later = look_back(kept, fields);
     } catch (const RunError& error) {
       sentence = error.what();
     }
@@ -89,15 +89,15 @@ ResultsFile::ResultsFile(std::string directory, const std::string& title, const 
   agree_on_run_error(communicator_, sentence);
 }
 
-ResultsFile::Later ResultsFile::look_back(int last_step, const std::vector<std::string>& fields) {
+ResultsFile::Later ResultsFile::look_back(Continue kept, const std::vector<std::string>& fields) {
   const ResultsReader file(path_);
   if (file.particles() != static_cast<std::size_t>(order_.total()))
     throw RunError(fmt::format("{} holds {} particles, not {}", path_, file.particles(), order_.total()));
   Later later;
   for (const ResultsReader::Phase& phase : file.phases())
-    if (phase.step > last_step) later.phases.push_back(phase.number);
+    if (phase.number > kept.last_phase) later.phases.push_back(phase.number);
   for (const ResultsReader::Step& step : file.steps()) {
-    if (step.number > last_step) {
+    if (step.number > kept.last_step) {
       later.steps.push_back(step.number);
       continue;
     }

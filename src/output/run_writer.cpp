@@ -42,6 +42,7 @@ struct RunWriter::Files {
   int current_step = 0;
   int committed_step = 0;  ///< the last one
   int attempt = 1;
+  int phases = 0;  ///< in time, over
 
   std::optional<ResultsFile> results;
   // On rank 0 only.
@@ -104,6 +105,11 @@ void RunWriter::begin(const deck::Deck& deck, const body::Body& body, bool quiet
     say(prepare_directory(files.directory, files.communicator));
   } else {
     require_directory(files.directory, files.communicator);
+    files.phases = from->phases;
+    if (from->attempt > 0) {
+      files.current_step = from->step + 1;
+      files.attempt = from->attempt;
+    }
     const auto kept = [&](const char* file, const std::string& header, long long bytes) {
       const bool fits = root && GrowingFile::continuable(files.directory + "/" + file, header, bytes);
       if (files.communicator.any(fits)) return bytes;
@@ -123,7 +129,8 @@ void RunWriter::begin(const deck::Deck& deck, const body::Body& body, bool quiet
   files.agree_on_tables();
   if (from != nullptr) files.committed_step = from->step;
   if (from != nullptr) try {
-      files.results.emplace(files.directory, deck.title, files.asked_fields, body, ResultsFile::Continue{from->step});
+      files.results.emplace(files.directory, deck.title, files.asked_fields, body,
+                            ResultsFile::Continue{from->step, from->phases});
       return;
     } catch (const RunError& error) {
       say(fmt::format("results.h5 is begun anew after step {}: {}", from->step, error.what()));
@@ -138,6 +145,8 @@ RunWriter::Continuation RunWriter::sync(int step) {
   const Profile::Scope timed(files.communicator.profile(), Section::output);
   Continuation now;
   now.step = step;
+  now.phases = files.phases;
+  now.attempt = files.current_step > step ? files.attempt : 0;
   if (files.history) now.history_bytes = files.history->sync();
   if (files.convergence) now.convergence_bytes = files.convergence->sync();
   files.agree_on_tables();
@@ -176,6 +185,7 @@ void RunWriter::phase_ended(const solve::MotionPhase& phase) {
   const Profile::Scope timed(files_->communicator.profile(), Section::output);
   if (files_->terminal) files_->terminal->phase_ended(phase);
   files_->results->write(phase);
+  files_->phases = phase.number;
 }
 
 void RunWriter::note(const std::string& sentence) {

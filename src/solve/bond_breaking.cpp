@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perinox/solve/broken_bonds.hpp"
 #include "perinox/solve/explicit_motion.hpp"
+#include "perinox/solve/loose_pieces.hpp"
 
 namespace perinox::solve {
 
@@ -100,6 +102,16 @@ double BondBreaking::ratio(LocalIndex lower, LocalIndex upper, double length, do
   return worst;
 }
 
+void BondBreaking::count_also(const LoosePieces& loose) {
+  broken_ += loose.broken;
+  rounds_.insert(rounds_.end(), loose.rounds.begin(), loose.rounds.end());
+}
+
+void BondBreaking::resume(const BrokenBonds& broken) {
+  broken_ = broken.count();
+  rounds_ = broken.rounds();
+}
+
 BondBreaking::Result BondBreaking::break_worst(const mechanics::Committed& state, long long most) {
   find_points(state);
   const double* displacement = state.displacement().data();
@@ -157,6 +169,7 @@ BondBreaking::Result BondBreaking::break_above(const Judged& judged, long long m
   std::vector<mechanics::BondEnds> ends;
   for (const Critical& bond : judged.critical)
     if (bond.ratio >= least) ends.push_back(bond.ends);
+  rounds_.push_back(scene_.broken().size());
   scene_.break_bonds(ends);
   result.broken = std::count_if(all.begin(), all.end(), [&](double value) { return value >= least; });
   broken_ += result.broken;

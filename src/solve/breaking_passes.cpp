@@ -66,18 +66,33 @@ LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, NewtonResult& tot
 }
 
 std::string LoadStepper::go_through_motion(Observer& observer, double t, const Loss& loss, NewtonResult& total) {
-  Loss why = loss;
-  double to = t;
-  for (int phase = 1; phase <= most_phases; ++phase) {
-    MotionPhase row;
-    row.number = ++phase_number_;
-    row.step = step_;
-    row.t_begin = committed_.t();
-    row.cause = why.cause;
-    row.reason = why.reason;
-    observer.phase_begins(row);
-    HandOver hand_over(deck_, scene_, boundary_, breaking_.get());
-    const HandOver::Result result = hand_over.run(committed_, to, observer, force_, external_);
+  phase_.total = total;
+  begin_phase(observer, t, loss);
+  return finish_motion(observer, total);
+}
+
+void LoadStepper::begin_phase(Observer& observer, double t, const Loss& loss) {
+  MotionPhase row;
+  row.number = phase_.row.number + 1;
+  row.step = step_;
+  row.t_begin = committed_.t();
+  row.cause = loss.cause;
+  row.reason = loss.reason;
+  phase_.row = row;
+  observer.phase_begins(row);
+  hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get());
+  hand_over_->begin(std::move(committed_), t);
+}
+
+std::string LoadStepper::finish_motion(Observer& observer, NewtonResult& total) {
+  const auto passing = [this](double t) {
+    if (passing_) passing_(step_ - 1, t);
+  };
+  for (;;) {
+    const HandOver::Result result = hand_over_->run(committed_, observer, force_, external_, passing);
+    hand_over_.reset();
+    total = phase_.total;
+    MotionPhase& row = phase_.row;
     const MotionEnergies& e = result.energies;
     energies_.stored = e.stored;
     energies_.dissipated += e.dissipated;
@@ -86,7 +101,7 @@ std::string LoadStepper::go_through_motion(Observer& observer, double t, const L
     energies_.damped += e.damped + e.kinetic + e.contact;
     motion_->time += result.time;
     motion_->time_steps += result.time_steps;
-    if (motion_->phases++ == 0) motion_->cause = why.cause;
+    if (motion_->phases++ == 0) motion_->cause = row.cause;
     motion_->phase_time += result.time;
     motion_->phase_energy += e.damped + e.kinetic + e.contact;
     row.t_end = committed_.t();
@@ -113,26 +128,27 @@ std::string LoadStepper::go_through_motion(Observer& observer, double t, const L
     const NewtonResult found = newton_.solve(committed_, committed_.t(), step_, guess, observer, trial, force);
     total.newton_iterations += found.newton_iterations;
     total.linear_iterations += found.linear_iterations;
-    to = committed_.t();
-    if (!found.converged) {
-      why = {LostEquilibrium::newton, found.reason};
-      continue;
+    Loss loss{LostEquilibrium::newton, found.reason};
+    if (found.converged) {
+      const Energies before = energies_;
+      commit(std::move(trial), std::move(force));
+      energies_.damped += before.stored - energies_.stored + before.dissipated - energies_.dissipated +
+                          energies_.external_work - before.external_work;
+      loss = breaking_ ? break_bonds(observer, total) : Loss();
+      total.converged = true;
+      if (loss.cause == LostEquilibrium::no) return "";
     }
-    const Energies before = energies_;
-    commit(std::move(trial), std::move(force));
-    energies_.damped += before.stored - energies_.stored + before.dissipated - energies_.dissipated +
-                        energies_.external_work - before.external_work;
-    why = breaking_ ? break_bonds(observer, total) : Loss();
-    total.converged = true;
-    if (why.cause == LostEquilibrium::no) return "";
+    if (motion_->phases == most_phases)
+      return fmt::format("no equilibrium at t = {:.6g} after going on in time {} times: {}", committed_.t(),
+                         most_phases, loss.reason);
+    phase_.total = total;
+    begin_phase(observer, committed_.t(), loss);
   }
-  return fmt::format("no equilibrium at t = {:.6g} after going on in time {} times: {}", committed_.t(), most_phases,
-                     why.reason);
 }
 
 bool LoadStepper::let_loose_go(Observer& observer) {
   const LoosePieces found = find_loose(scene_, boundary_);
-  breaking_->count_also(found.broken);
+  breaking_->count_also(found);
   for (const std::string& sentence : found.sentences) observer.note(sentence);
   if (!scene_.body().communicator.any(std::any_of(found.loose.begin(), found.loose.end(), [](char c) { return c; })))
     return false;

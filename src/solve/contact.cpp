@@ -177,6 +177,23 @@ void Contact::make_list() {
   }
 }
 
+void Contact::save(StateWriter& writer) const {
+  const auto d = static_cast<std::size_t>(d_);
+  std::vector<double> places(scene_.owned_unknowns(), 0.0);
+  for (std::size_t k = 0; k < own_.size(); ++k)
+    std::copy_n(&listed_[k * d], d, &places[static_cast<std::size_t>(particle_[k]) * d]);
+  writer.particles("contact/listed", places.data(), d_);
+}
+
+void Contact::restore(StateReader& reader) {
+  const auto d = static_cast<std::size_t>(d_);
+  const std::vector<double> places = reader.particles("contact/listed", d_);
+  place_.resize(own_.size() * d);
+  for (std::size_t k = 0; k < own_.size(); ++k)
+    std::copy_n(&places[static_cast<std::size_t>(particle_[k]) * d], d, &place_[k * d]);
+  make_list();
+}
+
 void Contact::exchange_points() {
   const Communicator& ranks = scene_.body().communicator;
   const auto d = static_cast<std::size_t>(d_), size = static_cast<std::size_t>(ranks.size());

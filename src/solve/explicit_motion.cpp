@@ -97,38 +97,24 @@ double ExplicitMotion::stable_time_step() {
   return *lambda_ > 0 ? settings_.safety * 2 / std::sqrt(*lambda_) : std::numeric_limits<double>::infinity();
 }
 
-MotionProgress ExplicitMotion::progress() const {
+void ExplicitMotion::gather_sums() {
   std::vector<double> sums{work_, damped_, dissipated_};
   scene_.body().communicator.sum(sums);
-  return {time_, time_steps_, last_step_, sums[0], sums[1], sums[2], released_, at_start_};
-}
-
-void ExplicitMotion::resume(const MotionProgress& progress, std::vector<double> velocity) {
-  resumed_ = true;
-  time_ = progress.time;
-  start_ = committed_.t() - settings_.rate * time_;
-  time_steps_ = progress.time_steps;
-  last_step_ = progress.last_step;
-  if (scene_.body().communicator.is_root()) {  // shares of the ranks, whose sum alone matters
-    work_ = progress.external_work;
-    damped_ = progress.damped;
-    dissipated_ = progress.dissipated;
-  }
-  released_ = progress.released;
-  at_start_ = progress.at_start;
-  velocity_ = std::move(velocity);
+  before_.work += sums[0];
+  before_.damped += sums[1];
+  before_.dissipated += sums[2];
+  work_ = damped_ = dissipated_ = 0;
 }
 
 void ExplicitMotion::start_moving() {
   moving_ = true;
   boundary_.impose_velocity(t(), velocity_.data());
   const auto d = static_cast<std::size_t>(scene_.dimension());
-  if (!resumed_)
-    for (std::size_t u = 0; u < velocity_.size(); ++u) work_ += 0.5 * masses_[u / d] * velocity_[u] * velocity_[u];
+  for (std::size_t u = 0; u < velocity_.size(); ++u) work_ += 0.5 * masses_[u / d] * velocity_[u] * velocity_[u];
   if (boundary_.has_forces()) boundary_.external_force(t(), loads_.data());
   evaluate();
   accelerate();
-  if (!resumed_) at_start_ = scene_.body().communicator.sum(trial_.stored + contact_energy_);
+  at_start_ = scene_.body().communicator.sum(trial_.stored + contact_energy_);
 }
 
 /// From the forces and velocities as they are.
@@ -264,9 +250,9 @@ MotionEnergies ExplicitMotion::energies() const {
   e.kinetic = sums[0] - sums[1];
   e.stored = sums[2];
   e.contact = sums[3];
-  e.dissipated = sums[4];
-  e.damped = sums[5];
-  e.external_work = sums[6];
+  e.dissipated = before_.dissipated + sums[4];
+  e.damped = before_.damped + sums[5];
+  e.external_work = before_.work + sums[6];
   e.released = released_;
   e.at_start = at_start_;
   return e;

@@ -48,88 +48,122 @@ double passage_time(const deck::Deck& deck, const mechanics::Scene& scene) {
 HandOver::HandOver(const deck::Deck& deck, mechanics::Scene& scene, Boundary& boundary, BondBreaking* breaking)
     : deck_(deck), scene_(scene), boundary_(boundary), breaking_(breaking), passage_(passage_time(deck, scene)) {}
 
-HandOver::Result HandOver::run(mechanics::Committed& state, double t, Observer& observer, std::vector<double>& force,
-                               std::vector<double>& external) {
-  const deck::HandOver& said = deck_.hand_over;
-  const double begin_t = state.t();
+void HandOver::make_motion(mechanics::Committed&& state, double rate) {
   ExplicitMotion::Settings settings;
-  settings.damping = said.damping.value_or(damping_over_passage / passage_);
+  settings.damping = deck_.hand_over.damping.value_or(damping_over_passage / passage_);
   settings.contact = deck_.motion.contact;
-  settings.rate = said.rate > 0 ? said.rate : (t - begin_t) / passage_;
+  settings.rate = rate;
   settings.safety = deck_.motion.safety;
-  ExplicitMotion motion(scene_, boundary_, particle_masses(deck_, scene_), std::move(state), settings);
+  motion_ =
+      std::make_unique<ExplicitMotion>(scene_, boundary_, particle_masses(deck_, scene_), std::move(state), settings);
+}
+
+void HandOver::begin(mechanics::Committed&& state, double t) {
+  const double rate = deck_.hand_over.rate > 0 ? deck_.hand_over.rate : (t - state.t()) / passage_;
+  to_ = t;
+  make_motion(std::move(state), rate);
+}
+
+void HandOver::save(StateWriter& writer) const {
+  writer.number("phase/to", to_);
+  writer.number("phase/last_break", last_break_);
+  writer.number("phase/most_stored", most_stored_);
+  writer.integer("phase/estimated", estimated_);
+  writer.integer("phase/broken", result_.broken);
+  writer.number("phase/most_kinetic", result_.most_kinetic);
+  motion_->save(writer);
+}
+
+void HandOver::restore(StateReader& reader) {
+  to_ = reader.number("phase/to");
+  last_break_ = reader.number("phase/last_break");
+  most_stored_ = reader.number("phase/most_stored");
+  estimated_ = reader.integer("phase/estimated");
+  result_.broken = reader.integer("phase/broken");
+  result_.most_kinetic = reader.number("phase/most_kinetic");
+  make_motion(mechanics::Committed(scene_), 0);
+  motion_->restore(reader);
+}
+
+void HandOver::advance(double dt) {
+  const deck::HandOver& said = deck_.hand_over;
+  if (deck_.motion.time_step) dt = std::min(dt, *deck_.motion.time_step);
+  if (said.rate == 0 && motion_->t() < to_ && motion_->time() + dt >= passage_) dt = passage_ - motion_->time();
+  motion_->step(dt);
+  if (said.rate == 0 && motion_->time() >= passage_ * (1 - 1e-12)) motion_->go_on_at(to_, 0);
+  if (said.rate > 0 && motion_->t() >= deck_.steps.end) motion_->go_on_at(deck_.steps.end, 0);
+  if (const long long broken = break_bonds(); broken > 0) {
+    result_.broken += broken;
+    last_break_ = motion_->time();
+  }
+}
+
+HandOver::Result HandOver::run(mechanics::Committed& state, Observer& observer, std::vector<double>& force,
+                               std::vector<double>& external, const Passing& passing) {
+  const deck::HandOver& said = deck_.hand_over;
   const double quiet = said.quiet_time.value_or(passage_),
                longest = said.longest_time.value_or(most_passages * passage_);
-
-  Result result;
-  double last_break = 0, most_stored = 0;
-  long long estimated = 0;
   for (;;) {
-    double dt = motion.stable_time_step();
+    const double dt = motion_->stable_time_step();
     if (!std::isfinite(dt)) {  // nothing is free to move
-      result.at_rest = true;
+      result_.at_rest = true;
       break;
     }
-    if (deck_.motion.time_step) dt = std::min(dt, *deck_.motion.time_step);
-    if (said.rate == 0 && motion.t() < t && motion.time() + dt >= passage_) dt = passage_ - motion.time();
-    motion.step(dt);
-    if (said.rate == 0 && motion.time() >= passage_ * (1 - 1e-12)) motion.go_on_at(t, 0);
-    if (said.rate > 0 && motion.t() >= deck_.steps.end) motion.go_on_at(deck_.steps.end, 0);
-    if (const long long broken = break_bonds(motion); broken > 0) {
-      result.broken += broken;
-      last_break = motion.time();
+    advance(dt);
+    if (motion_->time_steps() % between_looks != 0) continue;
+    if (motion_->time_steps() - estimated_ >= between_estimates) {
+      estimated_ = motion_->time_steps();
+      motion_->estimate_again();
     }
-    if (motion.time_steps() % between_looks != 0) continue;
-    if (motion.time_steps() - estimated >= between_estimates) {
-      estimated = motion.time_steps();
-      motion.estimate_again();
-    }
-    const MotionEnergies now = motion.energies();
-    most_stored = std::max(most_stored, std::max(now.stored, now.at_start));
-    result.most_kinetic = std::max(result.most_kinetic, now.kinetic);
-    if (!motion.sound(now)) {
-      result.reason = "the energies of the motion grow though nothing does that work; take a smaller explicit.safety";
+    motion_->gather_sums();
+    const MotionEnergies now = motion_->energies();
+    most_stored_ = std::max(most_stored_, std::max(now.stored, now.at_start));
+    result_.most_kinetic = std::max(result_.most_kinetic, now.kinetic);
+    if (!motion_->sound(now)) {
+      result_.reason = "the energies of the motion grow though nothing does that work; take a smaller explicit.safety";
       break;
     }
-    if (motion.time() - last_break >= quiet && motion.time() >= quiet) {
-      if (let_loose_go(motion, observer)) last_break = motion.time();
-      if (motion.energies().moving <= said.kinetic_share * most_stored) {
-        result.at_rest = true;
+    if (motion_->time() - last_break_ >= quiet && motion_->time() >= quiet) {
+      if (let_loose_go(observer)) last_break_ = motion_->time();
+      if (motion_->energies().moving <= said.kinetic_share * most_stored_) {
+        result_.at_rest = true;
         break;
       }
     }
-    if (motion.time() > longest) {
-      result.reason = fmt::format("the body is not at rest after {:.4g} of time (hand_over.longest_time)", longest);
+    if (motion_->time() > longest) {
+      result_.reason = fmt::format("the body is not at rest after {:.4g} of time (hand_over.longest_time)", longest);
       break;
     }
+    if (passing) passing(motion_->t());
   }
-  result.time = motion.time();
-  result.time_steps = motion.time_steps();
-  result.energies = motion.energies();
-  force = motion.force();
-  external = motion.external();
-  state = motion.release();
-  return result;
+  result_.time = motion_->time();
+  result_.time_steps = motion_->time_steps();
+  result_.energies = motion_->energies();
+  force = motion_->force();
+  external = motion_->external();
+  state = motion_->release();
+  motion_.reset();
+  return result_;
 }
 
-long long HandOver::break_bonds(ExplicitMotion& motion) {
+long long HandOver::break_bonds() {
   if (!breaking_) return 0;
-  const long long broken = breaking_->break_all(motion);
-  if (broken > 0) motion.bonds_have_broken();
+  const long long broken = breaking_->break_all(*motion_);
+  if (broken > 0) motion_->bonds_have_broken();
   return broken;
 }
 
-bool HandOver::let_loose_go(ExplicitMotion& motion, Observer& observer) {
+bool HandOver::let_loose_go(Observer& observer) {
   if (!breaking_) return false;
   const LoosePieces found = find_loose(scene_, boundary_);
-  breaking_->count_also(found.broken);
+  breaking_->count_also(found);
   for (const std::string& sentence : found.sentences) observer.note(sentence);
   const bool any = scene_.body().communicator.any(
       std::any_of(found.loose.begin(), found.loose.end(), [](char c) { return c != 0; }));
-  if (found.broken > 0) motion.bonds_have_broken();
+  if (found.broken > 0) motion_->bonds_have_broken();
   if (!any) return found.broken > 0;
   boundary_.let_go(found.loose);
-  motion.supports_have_changed();
+  motion_->supports_have_changed();
   return true;
 }
 

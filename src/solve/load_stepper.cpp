@@ -41,40 +41,25 @@ void LoadStepper::run(Observer& observer) {
   const Communicator& ranks = scene_.body().communicator;
   const double begin = now();
   const double done_before = step_ > 0 ? control_->share() : 0;
-  double step_begin = begin;
-  ProfileReading told = ranks.profile().read();  // at the last record
-  while (!control_->finished()) {
-    mechanics::Trial trial;
-    std::vector<double> force;
-    NewtonResult result = control_->attempt(committed_, step_ + 1, observer, trial, force);
-    if (!result.converged) {
-      const double tried = control_->tried();
-      observer.step_rejected(committed_.t(), tried, result.reason);
-      if (control_->cut()) continue;
-      if (!motion_) stop(observer, tried, result);
-      begin_step();
-      const Loss loss{LostEquilibrium::newton, result.reason};
-      const std::string reason = go_through_motion(observer, tried, loss, result);
-      if (!reason.empty()) lost_equilibrium(observer, reason, result);
-    } else {
-      if (converged_) converged_(committed_, trial);
-      begin_step();
-      control_->accept(committed_, trial);
-      commit(std::move(trial), std::move(force));
-      settle(observer, result);
-    }
+  step_begin_ = begin - phase_.seconds;
+  told_times_ = ranks.profile().read();
+  told_times_.count[static_cast<std::size_t>(Section::product)] -= phase_.products;
+  while (hand_over_ || !control_->finished()) {
+    NewtonResult result;
+    if (!advance(observer, result)) continue;
     last_result_ = result;
     const bool last = control_->finished();
     StepRecord row = record(result, last || step_ % deck_.output.every == 0);
-    row.seconds = now() - step_begin;
-    row.remaining_seconds = (now() - begin) * (1 - control_->share()) / (control_->share() - done_before);
+    row.seconds = now() - step_begin_;
+    const double done = control_->share() - done_before;
+    row.remaining_seconds = done > 0 ? (now() - begin) * (1 - control_->share()) / done : 0;
     row.last = last;
     const ProfileReading reading = ranks.profile().read();
-    row.profile = ranks.slowest(reading - told);
-    told = reading;
+    row.profile = ranks.slowest(reading - told_times_);
+    told_times_ = reading;
     observer.step_committed(row);
     if (told_) told_(row);
-    step_begin = now();
+    step_begin_ = now();
   }
 }
 
@@ -85,6 +70,34 @@ void LoadStepper::begin_step() {
   motion_->phases = 0;
   motion_->cause = LostEquilibrium::no;
   motion_->phase_time = motion_->phase_energy = 0;
+}
+
+bool LoadStepper::advance(Observer& observer, NewtonResult& result) {
+  if (hand_over_) {
+    const std::string reason = finish_motion(observer, result);
+    if (!reason.empty()) lost_equilibrium(observer, reason, result);
+    return true;
+  }
+  mechanics::Trial trial;
+  std::vector<double> force;
+  result = control_->attempt(committed_, step_ + 1, observer, trial, force);
+  if (!result.converged) {
+    const double tried = control_->tried();
+    observer.step_rejected(committed_.t(), tried, result.reason);
+    if (control_->cut()) return false;
+    if (!motion_) stop(observer, tried, result);
+    begin_step();
+    const Loss loss{LostEquilibrium::newton, result.reason};
+    const std::string reason = go_through_motion(observer, tried, loss, result);
+    if (!reason.empty()) lost_equilibrium(observer, reason, result);
+    return true;
+  }
+  if (converged_) converged_(committed_, trial);
+  begin_step();
+  control_->accept(committed_, trial);
+  commit(std::move(trial), std::move(force));
+  settle(observer, result);
+  return true;
 }
 
 void LoadStepper::settle(Observer& observer, NewtonResult& result) {

@@ -79,7 +79,10 @@ LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary) {
   const int d = scene.dimension();
   LoosePieces found;
   found.loose.assign(static_cast<std::size_t>(scene.owned()), 0);
-  for (long long cut = cut_hanging(scene); cut > 0; cut = cut_hanging(scene)) found.broken += cut;
+  for (long long cut = 1; cut > 0; found.broken += cut) {
+    found.rounds.push_back(scene.broken().size());
+    cut = cut_hanging(scene);
+  }
   if (found.broken > 0)
     found.sentences.push_back(
         fmt::format("{} bonds broken that were the last of particles they could not hold", found.broken));

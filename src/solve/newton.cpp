@@ -51,6 +51,20 @@ void Newton::bonds_changed(bool supports_too) {
   parts_ = std::make_unique<Parts>(p.deck, p.scene, p.boundary);
 }
 
+void Newton::save(StateWriter& writer) const {
+  writer.number("newton/iterations_when_made", parts_->iterations_when_made);
+  writer.number("newton/last_iterations", parts_->last_iterations);
+  parts_->system.save(writer);
+}
+
+void Newton::restore(StateReader& reader) {
+  if (reader.has("newton/last_iterations")) {
+    parts_->iterations_when_made = reader.number("newton/iterations_when_made");
+    parts_->last_iterations = reader.number("newton/last_iterations");
+  }
+  parts_->system.restore(reader);
+}
+
 const TangentSystem& Newton::system() const { return parts_->system; }
 TangentSystem& Newton::system() { return parts_->system; }
 

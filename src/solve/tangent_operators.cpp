@@ -99,6 +99,7 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
       solver_(solver),
       map_(mechanics::unknowns_map(scene.body())),
       blocks_(scene.owned_unknowns() * static_cast<std::size_t>(scene.dimension())) {
+  bonds_broken_ = scene.body().communicator.sum(static_cast<long long>(scene.broken().size()));
   const bool assembled = solver_.assembled();
   Profile& profile = scene.body().communicator.profile();
   deck::Preconditioner& kind = solver_.linear.preconditioner;
@@ -174,6 +175,7 @@ void TangentSystem::update(const mechanics::Committed& committed, const double* 
 
 void TangentSystem::save(StateWriter& writer) const {
   writer.number("tangent/stiffness_scale", stiffness_scale_);
+  writer.integer("tangent/bonds_broken", bonds_broken_);
   if (two_level_) two_level_->save(writer);
 }
 

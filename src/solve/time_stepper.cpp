@@ -35,23 +35,25 @@ long long count_of(double span, double longest) {
 }  // namespace
 
 TimeStepper::TimeStepper(const deck::Deck& deck, mechanics::Scene& scene)
-    : deck_(deck),
-      scene_(scene),
-      boundary_(deck, scene),
-      motion_(scene, boundary_, particle_masses(deck, scene), mechanics::Committed(scene), settings_of(deck.motion)),
-      records_(deck, scene) {
+    : deck_(deck), scene_(scene), boundary_(deck, scene), records_(deck, scene) {
+  make_motion();
   if (deck.breaks()) breaking_ = std::make_unique<BondBreaking>(deck, scene);
-  motion_.set_velocity(deck.initial_velocity);
+  motion_->set_velocity(deck.initial_velocity);
+}
+
+void TimeStepper::make_motion() {
+  motion_.emplace(scene_, boundary_, particle_masses(deck_, scene_), mechanics::Committed(scene_),
+                  settings_of(deck_.motion));
 }
 
 double TimeStepper::time_step() {
-  const double longest = deck_.motion.time_step ? *deck_.motion.time_step : motion_.stable_time_step();
+  const double longest = deck_.motion.time_step ? *deck_.motion.time_step : motion_->stable_time_step();
   return std::min(longest, deck_.steps.end / std::max(1, deck_.steps.count));
 }
 
 TimeStepPlan TimeStepper::plan() {
   TimeStepPlan plan;
-  plan.stable = motion_.stable_time_step() / deck_.motion.safety;
+  plan.stable = motion_->stable_time_step() / deck_.motion.safety;
   const double row = deck_.steps.end / std::max(1, deck_.steps.count);
   const long long count = count_of(row, time_step());
   plan.length = row / static_cast<double>(count);
@@ -69,41 +71,56 @@ void TimeStepper::run(Observer& observer) {
   const TimeStepPlan plan = this->plan();
   observer.note(fmt::format("{} time steps of {:.4g}; the largest stable one is {:.4g}", plan.time_steps, plan.length,
                             plan.stable));
-  const double begin = now();
-  double row_begin = begin;
+  const double begin = now(), begin_t = motion_->t();
+  row_begin_ = begin - row_seconds_;
   ProfileReading told = ranks.profile().read();
   while (row_ < deck_.steps.count) {
     const double t = deck_.steps.end * (row_ + 1) / deck_.steps.count;
     if (!advance_to(t)) stop(observer);
     ++row_;
+    ++step_;
     const bool end = row_ == deck_.steps.count;
-    StepRecord row = record(end || row_ % deck_.output.every == 0, end);
+    StepRecord row = record(end || step_ % deck_.output.every == 0, end);
     row.t = row.motion->time = t;
-    row.seconds = now() - row_begin;
-    row.remaining_seconds = (now() - begin) * (deck_.steps.end - t) / t;
+    row.seconds = now() - row_begin_;
+    row.remaining_seconds = (now() - begin) * (deck_.steps.end - t) / (t - begin_t);
     const ProfileReading reading = ranks.profile().read();
     row.profile = ranks.slowest(reading - told);
     told = reading;
     observer.step_committed(row);
-    row_begin = now();
+    if (told_) told_(row);
+    row_begin_ = now();
   }
 }
 
+void TimeStepper::begin_row(double t) {
+  if (motion_->time_steps() - estimated_ >= between_estimates) {
+    estimated_ = motion_->time_steps();
+    motion_->estimate_again();
+  }
+  const double span = t - motion_->t();
+  row_longest_ = time_step();
+  row_end_ = t;
+  row_done_ = 0;
+  row_count_ = count_of(span, row_longest_);
+  length_ = span / static_cast<double>(row_count_);
+}
+
 bool TimeStepper::advance_to(double t) {
-  if (motion_.time_steps() - estimated_ >= between_estimates) {
-    estimated_ = motion_.time_steps();
-    motion_.estimate_again();
+  // A restart within a row goes on with its time steps, unless the deck has other rows or time steps now.
+  if (row_done_ == 0 || row_end_ != t || row_longest_ != time_step()) begin_row(t);
+  while (row_done_ < row_count_) {
+    motion_->step(length_);
+    ++row_done_;
+    if (breaking_ && breaking_->break_all(*motion_) > 0) motion_->bonds_have_broken();
+    const bool end = row_done_ == row_count_;
+    if (row_done_ % between_looks != 0 && !end) continue;
+    motion_->gather_sums();
+    energies_ = motion_->energies();
+    if (!motion_->sound(energies_)) return false;
+    if (!end && passing_) passing_(step_, motion_->t());
   }
-  const double span = t - motion_.t();
-  const long long count = count_of(span, time_step());
-  length_ = span / static_cast<double>(count);
-  for (long long k = 0; k < count; ++k) {
-    motion_.step(length_);
-    if (breaking_ && breaking_->break_all(motion_) > 0) motion_.bonds_have_broken();
-    if ((k + 1) % between_looks != 0 && k + 1 < count) continue;
-    energies_ = motion_.energies();
-    if (!motion_.sound(energies_)) return false;
-  }
+  row_done_ = 0;
   const double scale = energies_.scale();
   if (scale > 0) worst_gain_ = std::max(worst_gain_, std::abs(energies_.gain()) / scale);
   return true;
@@ -111,21 +128,21 @@ bool TimeStepper::advance_to(double t) {
 
 StepRecord TimeStepper::record(bool written, bool last) {
   StepRecord row;
-  row.step = row_;
+  row.step = step_;
   row.stored_energy = energies_.stored;
   row.dissipated_energy = energies_.dissipated;
   row.external_work = energies_.external_work;
   row.end = deck_.steps.end;
   row.last = last;
   MotionRow motion;
-  motion.time_steps = motion_.time_steps();
+  motion.time_steps = motion_->time_steps();
   motion.kinetic_energy = energies_.kinetic;
   motion.damped_energy = energies_.damped;
   motion.contact_energy = energies_.contact;
   row.motion = motion;
   if (breaking_) row.fracture = FractureRow{0, breaking_->broken(), energies_.released, 0};
-  records_.fill({motion_.committed(), motion_.force().data(), motion_.external().data(), motion_.dilatation().data(),
-                 motion_.stored_energy().data(), motion_.velocity().data()},
+  records_.fill({motion_->committed(), motion_->force().data(), motion_->external().data(),
+                 motion_->dilatation().data(), motion_->stored_energy().data(), motion_->velocity().data()},
                 written, row);
   return row;
 }
@@ -137,16 +154,16 @@ void TimeStepper::stop(Observer& observer) {
   if (!finite) {
     try {  // the lowest rank that has something to say is heard on all
       scene_.body().communicator.agree_on_input_error(
-          mechanics::first_not_finite(scene_, motion_.trial(), motion_.force().data()));
+          mechanics::first_not_finite(scene_, motion_->trial(), motion_->force().data()));
     } catch (const InputError& found) {
       where = fmt::format(": {}", found.what());
     }
   }
-  const double stable = 2 / std::sqrt(motion_.eigenvalue());
+  const double stable = 2 / std::sqrt(motion_->eigenvalue());
   throw RunError(fmt::format(
       "stopped at t = {:.6g} of {:g}, after {} rows and {} time steps: the energies {}{}; the time step was {:.4g} and "
       "the largest stable one, as last estimated, is {:.4g}: take a smaller explicit.{}",
-      motion_.t(), deck_.steps.end, row_, motion_.time_steps(),
+      motion_->t(), deck_.steps.end, step_, motion_->time_steps(),
       finite ? "grow though nothing does that work" : "are not finite", where, length_, stable,
       deck_.motion.time_step ? "time_step" : "safety"));
 }

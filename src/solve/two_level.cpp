@@ -117,6 +117,7 @@ void TwoLevel::save(StateWriter& writer) const {
   const std::vector<double> all(static_cast<std::size_t>(scene_.owned()), 1.0);
   writer.particles("tangent/coarse_springs", springs_.data(), scene_.dimension());
   writer.particles("tangent/coarse_shear_left", shear_left_.empty() ? all.data() : shear_left_.data(), 1);
+  writer.integer("tangent/coarse_bonds_broken", bonds_broken_);
 }
 
 void TwoLevel::restore(StateReader& reader) {
@@ -128,6 +129,7 @@ void TwoLevel::restore(StateReader& reader) {
 
 void TwoLevel::make_coarse() {
   if (!graph_) graph_ = scene_.bond_graph();
+  bonds_broken_ = scene_.body().communicator.sum(static_cast<long long>(scene_.broken().size()));
   CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, settings_.bulk_limit, shear_left_);
   add_springs(scene_, grid_, springs_, matrix);
   for (std::size_t n = 0; n < grid_.node_ids().size(); ++n) {

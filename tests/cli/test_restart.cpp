@@ -5,6 +5,7 @@
 
 #include "decks.hpp"
 #include "program.hpp"
+#include "support/breaking_decks.hpp"
 
 namespace perinox::cli {
 namespace {
@@ -15,13 +16,25 @@ using ::testing::Not;
 /// A few plastic steps of a few milliseconds.
 const std::string deck = changed(changed(base_deck, "count: 2", "count: 6"), "0.01*t", "0.05*t");
 
-/// history.csv without its times: up to linear_iterations.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char letter : line)
+    if (letter == ',')
+      cells.emplace_back();
+    else
+      cells.back() += letter;
+  return cells;
+}
+
+/// history.csv without its wall-clock times.
 std::vector<std::string> history(const Folder& folder, const std::string& results) {
   std::vector<std::string> lines = lines_of(read(folder.path() / results / "history.csv"));
+  const std::vector<std::string> names = lines.empty() ? lines : cells_of(lines.front());
   for (std::string& line : lines) {
-    std::size_t end = 0;
-    for (int column = 0; column < 8; ++column) end = line.find(',', end) + 1;
-    line.erase(end - 1);
+    const std::vector<std::string> cells = cells_of(line);
+    line.clear();
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      if (k >= names.size() || names[k].rfind("seconds", 0) != 0) line += cells[k] + ',';
   }
   return lines;
 }
@@ -34,8 +47,9 @@ void expect_same_results(const Folder& folder, const std::string& one, const std
   EXPECT_EQ(read(folder.path() / one / "results.xdmf"), read(folder.path() / other / "results.xdmf"));
 }
 
-/// Starts a run, sends it `signal` once `steps` steps are in its history, waits for its end.
-int interrupted(const Folder& folder, const std::string& results, int signal, std::size_t steps, std::string& error) {
+/// Starts a run, sends it `signal` once `steps` steps are in its history and there is a checkpoint, waits for its end.
+int interrupted(const Folder& folder, const std::string& results, int signal, std::size_t steps, std::string& error,
+                const std::string& set = "steps.count=2000") {
   const std::string out = folder.path() / "out", err = folder.path() / "err";
   const pid_t child = fork();
   if (child == 0) {
@@ -43,11 +57,12 @@ int interrupted(const Folder& folder, const std::string& results, int signal, st
     dup2(file, STDERR_FILENO);
     if (chdir(folder.path().c_str()) == 0)
       execl(PERINOX_BINARY, PERINOX_BINARY, "run", "deck.yaml", "--output", results.c_str(), "--quiet", "--set",
-            "steps.count=2000", nullptr);
+            set.c_str(), nullptr);
     _exit(127);
   }
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (lines_of(read(folder.path() / results / "history.csv")).size() < steps + 1 &&
+  while ((lines_of(read(folder.path() / results / "history.csv")).size() < steps + 1 ||
+          !std::filesystem::exists(folder.path() / results / "checkpoint.h5")) &&
          std::chrono::steady_clock::now() < end)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   kill(child, signal);
@@ -209,6 +224,102 @@ TEST(Restart, AKilledRunGoesOn) {
   EXPECT_EQ(rest.status, 1) << rest.error;
   // The last row may have been on the disk before its checkpoint.
   EXPECT_GE(history(folder, "part").size() - 1, steps);
+}
+
+/// Goes on and on, a moment at a time, until the run is done; how often it stopped, and how often within a step.
+std::pair<int, int> go_on_in_moments(const Folder& folder, const std::string& results, const std::vector<int>& ranks) {
+  int stops = 0, within = 0;
+  std::vector<std::string> arguments = {"run", "deck.yaml", "--output", results};
+  for (;;) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--quiet", "--set", "steps.time_limit=1e-3"});
+    const int on = ranks[static_cast<std::size_t>(stops) % ranks.size()];
+    const Outcome outcome = on > 1 ? folder.perinox_on_ranks(on, all) : folder.perinox(all);
+    if (outcome.status == 0) return {stops, within};
+    EXPECT_THAT(outcome.error, HasSubstr("steps.time_limit")) << outcome.error;
+    if (outcome.status != 1 || stops == 200) return {-1, within};
+    ++stops;
+    if (outcome.error.find("stopped within step") != std::string::npos) ++within;
+    arguments = {"run", "deck.yaml", "--restart", results + "/checkpoint.h5"};
+  }
+}
+
+TEST(Restart, ABarThatSnapsGoesOnFromWithinItsMotion) {
+  const Folder folder;
+  folder.write("deck.yaml", testing::snapping_bar);
+  ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"}).status, 0);
+  const auto [stops, within] = go_on_in_moments(folder, "part", {1});
+  EXPECT_GT(within, 10);  // 26, every ten time steps
+  EXPECT_GT(stops, within);
+  expect_same_results(folder, "whole", "part");
+}
+
+TEST(Restart, ACrackThatGrowsGoesOnAfterEachStep) {
+  const Folder folder;
+  folder.write("deck.yaml", testing::torn_plate);
+  ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"}).status, 0);
+  EXPECT_EQ(go_on_in_moments(folder, "part", {1}), (std::pair<int, int>{5, 0}));
+  expect_same_results(folder, "whole", "part");
+}
+
+TEST(Restart, BlocksThatCollideGoOnFromWithinARow) {
+  const Folder folder;
+  folder.write("deck.yaml", testing::smashed_blocks);
+  ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"}).status, 0);
+  EXPECT_GT(go_on_in_moments(folder, "part", {1}).second, 8);  // 15
+  expect_same_results(folder, "whole", "part");
+}
+
+TEST(Restart, OfARunInTimeOnOneTwoAndThreeRanksInTurn) {
+  const Folder folder;
+  folder.write("deck.yaml", testing::smashed_blocks);
+  ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"}).status, 0);
+  EXPECT_GT(go_on_in_moments(folder, "part", {1, 2, 3}).second, 8);
+  const std::vector<std::string> a = history(folder, "whole"), b = history(folder, "part");
+  ASSERT_EQ(a.size(), b.size());
+  const std::size_t columns = cells_of(a[0]).size();
+  std::vector<double> scale(columns, 0.0), off(columns, 0.0);
+  for (std::size_t k = 1; k < a.size(); ++k)
+    for (std::size_t c = 0; c + 1 < columns; ++c) {
+      const double x = std::stod(cells_of(a[k])[c]), y = std::stod(cells_of(b[k])[c]);
+      scale[c] = std::max(scale[c], std::abs(x));
+      off[c] = std::max(off[c], std::abs(x - y));
+    }
+  for (std::size_t c = 0; c < columns; ++c)
+    EXPECT_LE(off[c], 1e-10 * scale[c]) << cells_of(a[0])[c];  // measured 3.8e-15, in contact_energy
+}
+
+TEST(Restart, ASignalEndsARunInTimeWithinItsRow) {
+  const Folder folder;
+  // Sent when there is a checkpoint within the first row, of 400 time steps.
+  const std::string longer = changed(testing::smashed_blocks, "end: 2e-5", "end: 2e-4");
+  folder.write("deck.yaml", longer + "output: {checkpoint_seconds: 1e-9}\n");
+  std::string error;
+  EXPECT_EQ(interrupted(folder, "part", SIGTERM, 0, error, "title=ended"), 1);
+  EXPECT_THAT(error, HasSubstr("stopped within step 1"));
+  EXPECT_THAT(error, HasSubstr("SIGTERM was received"));
+  EXPECT_THAT(error, HasSubstr("resume with: perinox run deck.yaml --restart part/checkpoint.h5"));
+  EXPECT_EQ(history(folder, "part").size(), 1u);
+  const Outcome rest = folder.perinox({"run", "deck.yaml", "--restart", "part/checkpoint.h5"});
+  ASSERT_EQ(rest.status, 0) << rest.error;
+  EXPECT_THAT(rest.out, HasSubstr("restart within step 1"));
+  folder.write("deck.yaml", longer);
+  ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"}).status, 0);
+  expect_same_results(folder, "whole", "part");
+}
+
+TEST(Restart, AKilledRunInTimeGoesOnFromWithinItsRow) {
+  const Folder folder;
+  const std::string longer = changed(testing::smashed_blocks, "end: 2e-5", "end: 2e-4");
+  folder.write("deck.yaml", longer);
+  ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"}).status, 0);
+  folder.write("deck.yaml", longer + "output: {checkpoint_seconds: 1e-9}\n");
+  std::string error;
+  EXPECT_EQ(interrupted(folder, "part", SIGKILL, 0, error, "title=killed"), 128 + SIGKILL);
+  const Outcome rest = folder.perinox({"run", "deck.yaml", "--restart", "part/checkpoint.h5"});
+  ASSERT_EQ(rest.status, 0) << rest.error;
+  EXPECT_THAT(rest.out, HasSubstr("restart within step"));
+  EXPECT_EQ(history(folder, "part"), history(folder, "whole"));
 }
 
 }  // namespace

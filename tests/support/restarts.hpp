@@ -32,6 +32,9 @@ class CheckpointFolder {
   CheckpointFolder(const CheckpointFolder&) = delete;
   CheckpointFolder& operator=(const CheckpointFolder&) = delete;
   std::string of_step(int step) const { return fmt::format("{}/{}.h5", path_, step); }
+  /// The checkpoints within steps, in their order, each with the last step committed before.
+  std::string of_pass(int number) const { return fmt::format("{}/within_{}.h5", path_, number); }
+  mutable std::vector<int> passes;
   const std::string& path() const { return path_; }
 
  private:
@@ -39,35 +42,47 @@ class CheckpointFolder {
   std::string path_;
 };
 
-/// A run from the start (restart empty) or from a checkpoint; with a folder, a checkpoint of every step is left in it.
-inline RunResult run_with_checkpoints(const deck::Deck& deck, MPI_Comm comm, const std::string& restart,
-                                      const CheckpointFolder* folder) {
-  const Communicator ranks(comm);
-  mechanics::Scene scene = mechanics::build_scene(deck, ranks);
-  solve::LoadStepper stepper(deck, scene);
+/// Runs a stepper from the start or from a checkpoint, and leaves checkpoints in the folder if there is one: of every
+/// step, and of every third moment within a step at which there may be one.
+template <class Stepper>
+RunResult run_stepper(Stepper& stepper, const mechanics::Scene& scene, const std::string& restart,
+                      const CheckpointFolder* folder) {
   if (!restart.empty()) {
-    output::read_checkpoint_head(restart, ranks);
+    output::read_checkpoint_head(restart, scene.body().communicator);
     output::CheckpointReader reader(restart, scene.body());
     stepper.restore(reader);
   }
-  stepper.on_commit([&](const solve::StepRecord& record) {
-    if (folder == nullptr) return;
-    output::CheckpointWriter writer(folder->of_step(record.step), scene.body());
-    writer.write({record.step, record.t}, [&](StateWriter& to) { stepper.save(to); });
-  });
-  RunResult run;
-  try {
-    stepper.run(run.records);
-  } catch (const RunError& error) {
-    run.stopped = error.what();
+  const auto leave = [&](const std::string& path, int step, double t) {
+    output::CheckpointWriter writer(path, scene.body());
+    writer.write({step, t}, [&](StateWriter& to) { stepper.save(to); });
+  };
+  int moments = 0;
+  if (folder != nullptr) {
+    stepper.on_commit(
+        [&](const solve::StepRecord& record) { leave(folder->of_step(record.step), record.step, record.t); });
+    stepper.on_passing([&](int step, double t) {
+      if (moments++ % 3 != 1) return;
+      leave(folder->of_pass(static_cast<int>(folder->passes.size())), step, t);
+      folder->passes.push_back(step);
+    });
   }
-  const int d = scene.dimension();
-  for (LocalIndex i = 0; i < scene.owned(); ++i)
-    for (int c = 0; c < d; ++c) {
-      const auto u = static_cast<std::size_t>(i) * d + c;
-      run.displacement[scene.body().id[i]].push_back(stepper.committed().displacement()[u]);
-      run.force[scene.body().id[i]].push_back(stepper.force()[u]);
-    }
+  return run_with(stepper);
+}
+
+/// A run from the start (restart empty) or from a checkpoint; with a folder, checkpoints are left in it.
+inline RunResult run_with_checkpoints(const deck::Deck& deck, MPI_Comm comm, const std::string& restart,
+                                      const CheckpointFolder* folder) {
+  mechanics::Scene scene = mechanics::build_scene(deck, Communicator(comm));
+  if (deck.dynamics == deck::Dynamics::explicit_) {
+    solve::TimeStepper stepper(deck, scene);
+    RunResult run = run_stepper(stepper, scene, restart, folder);
+    keep(scene, stepper.motion().committed().displacement(), stepper.motion().force(), run);
+    run.motion = stepper.energies();
+    return run;
+  }
+  solve::LoadStepper stepper(deck, scene);
+  RunResult run = run_stepper(stepper, scene, restart, folder);
+  keep(scene, stepper.committed().displacement(), stepper.force(), run);
   run.energies = stepper.energies();
   return run;
 }
@@ -82,6 +97,14 @@ inline std::vector<double> numbers_of(const solve::StepRecord& row) {
                           static_cast<double>(row.newton_iterations),
                           static_cast<double>(row.linear_iterations)};
   all.insert(all.end(), row.history.begin(), row.history.end());
+  if (row.fracture)
+    all.insert(all.end(), {static_cast<double>(row.fracture->passes), static_cast<double>(row.fracture->broken_bonds),
+                           row.fracture->released_energy, row.fracture->relaxed_energy});
+  if (row.motion)
+    all.insert(all.end(),
+               {row.motion->time, static_cast<double>(row.motion->time_steps), row.motion->kinetic_energy,
+                row.motion->damped_energy, row.motion->contact_energy, static_cast<double>(row.motion->phases),
+                static_cast<double>(row.motion->cause), row.motion->phase_time, row.motion->phase_energy});
   return all;
 }
 

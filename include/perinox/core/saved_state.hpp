@@ -16,6 +16,7 @@ class StateWriter {
   /// The same on every rank. `name` is a path of words: "stepper/t".
   virtual void number(const std::string& name, double value) = 0;
   virtual void integer(const std::string& name, long long value) = 0;
+  virtual void text(const std::string& name, const std::string& value) = 0;
   /// values: [owned * components]
   virtual void particles(const std::string& name, const double* values, int components) = 0;
 
@@ -34,6 +35,7 @@ class StateReader {
   virtual bool has(const std::string& name) const = 0;
   virtual double number(const std::string& name) const = 0;
   virtual long long integer(const std::string& name) const = 0;
+  virtual std::string text(const std::string& name) const = 0;
   /// [owned * components]
   virtual std::vector<double> particles(const std::string& name, int components) const = 0;
 

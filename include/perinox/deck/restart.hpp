@@ -10,11 +10,12 @@ namespace perinox::deck {
 /// What a deck says about checkpoints and about stopping in time.
 struct Checkpoints {
   int every = 1;                          ///< committed steps; 0: none
+  double seconds = 60;                    ///< between checkpoints within a step, wall clock
   std::optional<double> time_limit = {};  ///< of the run, wall-clock seconds
 };
 Checkpoints checkpoints(const Deck& deck);
 
-/// What of a deck no checkpoint holds yet, "bonds that break"; "" if a run of it can go on from one.
+/// What of a deck no checkpoint holds yet, "arc-length control"; "" if a run of it can go on from one.
 std::string not_in_checkpoints(const Deck& deck);
 
 /// A key whose value differs between two checked decks.

@@ -19,6 +19,9 @@ struct CheckpointHead {
   long long ranks = 0;              ///< that have written it
   long long history_bytes = 0;      ///< of history.csv up to this step
   long long convergence_bytes = 0;  ///< of convergence.csv
+  long long phases = 0;             ///< in results.h5
+  /// Within the step after `step`: its attempt in convergence.csv, from 1. 0: between steps.
+  long long attempt = 0;
 };
 
 /// A number for the particles: ids, reference positions, volumes, bodies, materials. The same on any number of ranks.
@@ -63,6 +66,7 @@ class CheckpointReader : public StateReader {
   bool has(const std::string& name) const override;
   double number(const std::string& name) const override;
   long long integer(const std::string& name) const override;
+  std::string text(const std::string& name) const override;
   std::vector<double> particles(const std::string& name, int components) const override;
   std::vector<int> list_counts(const std::string& name) const override;
   void lists(const std::string& name, const Sink& sink) const override;

@@ -19,11 +19,12 @@ class ResultsFile {
   /// t turns back. Collective. Throws RunError: path and reason.
   ResultsFile(std::string directory, const std::string& title, const std::vector<std::string>& block_names,
               const body::Body& body, bool steps_as_time = false);
-  /// The last step that is kept.
+  /// The last step and phase that are kept.
   struct Continue {
     int last_step = 0;
+    int last_phase = 0;
   };
-  /// Goes on with the file of an earlier run on the same particles: later steps are removed. fields: in the
+  /// Goes on with the file of an earlier run on the same particles: later steps and phases are removed. fields: in the
   /// order in which results.xdmf shows them. Collective. Throws RunError if the file is not there, damaged, or of
   /// another number of particles.
   ResultsFile(std::string directory, const std::string& title, const std::vector<std::string>& fields,
@@ -48,7 +49,7 @@ class ResultsFile {
     std::vector<long long> steps, phases;
   };
   /// Rank 0: fills the index with the steps that stay, returns the others.
-  Later look_back(int last_step, const std::vector<std::string>& fields);
+  Later look_back(Continue kept, const std::vector<std::string>& fields);
   /// Reserves room for so many numbers at the end of a file, or RunError on every rank.
   void require_room(double numbers, const std::string& path) const;
   /// The file to be added to: a copy, which rename_copy() puts in the place of the file, or the file.

@@ -22,6 +22,8 @@ class RunWriter : public solve::Observer {
     int step = 0;
     long long history_bytes = 0;
     long long convergence_bytes = 0;
+    int phases = 0;   ///< in time, over
+    int attempt = 0;  ///< of the step after `step` where it has begun, from 1; 0: it has not
   };
   /// Goes on with the files of the directory behind a committed step: later rows and steps are dropped. A file that
   /// cannot be gone on with (lost, damaged, of other columns) is moved into previous-<N>, which is said, and begun
@@ -40,8 +42,8 @@ class RunWriter : public solve::Observer {
   /// history.csv: every step; results.h5: every deck.output.every-th step and the last, with displacement, force and
   /// the fields of deck.output.fields that the scene carries. Collective. Throws RunError if the disk refuses.
   void step_committed(const solve::StepRecord& record) override;
-  /// Brings all files to the disk. Returns how long the tables are: the same on every rank. Collective. Throws
-  /// RunError.
+  /// Brings all files to the disk. step: the last committed one. Returns how long the tables are, the same on every
+  /// rank. Collective. Throws RunError.
   Continuation sync(int step);
   /// Writes the last converged step to results.h5 if `every` has left it out, or the state that has lost its
   /// equilibrium, which is one step further.

@@ -10,7 +10,9 @@
 
 namespace perinox::solve {
 
+class BrokenBonds;
 class ExplicitMotion;
+struct LoosePieces;
 
 /// Finds the bonds that have come to their limits and breaks them. Both ranks of a bond between ranks come to the same
 /// answer to the last bit, as they see the same numbers in the same order.
@@ -33,8 +35,11 @@ class BondBreaking {
   /// Bonds over all ranks before any broke.
   long long bonds() const { return bonds_; }
   long long broken() const { return broken_; }
-  /// Bonds that somebody else has broken.
-  void count_also(long long bonds) { broken_ += bonds; }
+  /// Bonds that somebody else has broken: find_loose, or the run that a checkpoint is of.
+  void count_also(const LoosePieces& loose);
+  void resume(const BrokenBonds& broken);
+  /// Where in Scene::broken() each round of breaking began on this rank; the same rounds on all of them.
+  const std::vector<std::size_t>& rounds() const { return rounds_; }
   const std::vector<BondLimit>& limits() const { return limits_; }
 
   /// Measures this near to each other, or to the limit, count as one, so that bonds alike by symmetry break together
@@ -64,6 +69,7 @@ class BondBreaking {
   std::vector<BondLimit> limits_;
   std::vector<char> unbreakable_;  ///< [local]
   long long bonds_ = 0, broken_ = 0;
+  std::vector<std::size_t> rounds_;
   bool energies_ = false, ductile_ = false;
   std::vector<double> points_;   ///< [local * (2 + mandel_size)] radial, shear and H of the force states
   std::vector<double> failure_;  ///< [local] equivalent plastic strain over the failure strain; -1: no such law

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "perinox/body/neighbor_search.hpp"
+#include "perinox/core/saved_state.hpp"
 #include "perinox/deck/deck.hpp"
 #include "perinox/mechanics/scene.hpp"
 
@@ -28,6 +29,11 @@ class Contact {
   double add_forces(const double* displacement, double* force);
   /// To be called after bonds have broken: asks the scene's bond graph anew. Collective.
   void refresh();
+
+  /// Where the particles were when the list was made, from which it is made again: in which order forces add up and how
+  /// long the list lasts depend on it. Collective.
+  void save(StateWriter& writer) const;
+  void restore(StateReader& reader);
 
   /// What contacts add at most to the largest eigenvalue of M^-1 K where no particle has more than six, 1/time^2.
   /// masses: [owned]. Collective.

@@ -34,14 +34,6 @@ struct MotionEnergies {
   double scale() const;
 };
 
-/// How far a motion has come, over all ranks: with the committed state and the velocities all that it takes to go on.
-struct MotionProgress {
-  double time = 0;
-  long long time_steps = 0;
-  double last_step = 0;  ///< length
-  double external_work = 0, damped = 0, dissipated = 0, released = 0, at_start = 0;
-};
-
 /// Integrates M u'' = f(u) + external + contact - damping M u' in time by velocity Verlet, one time step a call:
 ///     v_(n+1/2) = v_n + dt/2 a_n,  u_(n+1) = u_n + dt v_(n+1/2),  v_(n+1) = v_(n+1/2) + dt/2 a_(n+1).
 /// Prescribed displacements are imposed at the end of each time step, prescribed velocities integrated by the
@@ -62,10 +54,14 @@ class ExplicitMotion {
   /// Velocities at the beginning; before the first step. A later entry wins, and a prescribed motion over all of them.
   void set_velocity(const std::vector<deck::InitialVelocity>& entries);
 
-  /// For a checkpoint. After resume(), before the first step, the motion goes on from the state given to the
-  /// constructor as if it had never stopped, to rounding. velocity: [owned * dimension].
-  MotionProgress progress() const;
-  void resume(const MotionProgress& progress, std::vector<double> velocity);
+  /// All that the next time step goes on from, and the way back: restored on as many ranks, the motion goes on to the
+  /// last bit. To be saved after a time step or bonds_have_broken(), restored before the first step, with the boundary
+  /// and the bonds of then, and whatever `start` was. Collective.
+  void save(StateWriter& writer) const;
+  void restore(StateReader& reader);
+  /// To be called at moments that do not depend on whether checkpoints are written: brings the sums over time of all
+  /// ranks together, so that they go on from there alike on as many ranks. Collective.
+  void gather_sums();
 
   /// safety * 2/sqrt(lambda), lambda the largest eigenvalue of M^-1 K at the state of the last estimate: the smaller of
   /// bound and Lanczos' value, and what contacts may add (stable_step.hpp). Infinite where nothing is free.
@@ -138,13 +134,19 @@ class ExplicitMotion {
   std::vector<double> contact_force_;
   std::unique_ptr<Contact> contact_;
   std::optional<double> lambda_;
-  bool moving_ = false, resumed_ = false, up_to_date_ = true;
+  bool moving_ = false, up_to_date_ = true;
 
   double time_ = 0, last_step_ = 0;
   long long time_steps_ = 0;
-  // This rank's shares.
-  double work_ = 0, damped_ = 0, dissipated_ = 0, contact_energy_ = 0;
-  double released_ = 0, at_start_ = 0;  // of all ranks
+  /// Over time.
+  struct Sums {
+    double work = 0, damped = 0, dissipated = 0;
+  };
+  Sums before_;  ///< of all ranks, up to the last gather_sums()
+  // This rank's shares since.
+  double work_ = 0, damped_ = 0, dissipated_ = 0;
+  double contact_energy_ = 0;           ///< this rank's share
+  double released_ = 0, at_start_ = 0;  ///< of all ranks
   double least_energy_ = 0;             ///< what rounding may make of nothing, all ranks
 };
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,21 +31,37 @@ class HandOver {
     double most_kinetic = 0;  ///< energy
     MotionEnergies energies;  ///< at its end
   };
-  /// From `state`, which is replaced by where the motion ends, with the loads going to load parameter `t` over one
-  /// passage of a wave and then held, or on at hand_over.rate. force, external: [owned * dimension], at the end. Pieces
-  /// that have come loose are taken out once the bonds are quiet; their kinetic energy counts as damped. Collective.
-  Result run(mechanics::Committed& state, double t, Observer& observer, std::vector<double>& force,
-             std::vector<double>& external);
+  /// Takes `state` over; the loads go to load parameter `t` over one passage of a wave and are then held, or go on at
+  /// hand_over.rate. Collective.
+  void begin(mechanics::Committed&& state, double t);
+  /// Called every few time steps, on every rank, when all can be saved; what it throws ends the phase there.
+  using Passing = std::function<void(double t)>;
+  /// From begin() or restore() until the body is at rest. state, and force, external [owned * dimension]: where the
+  /// motion ends. Pieces that have come loose are taken out once the bonds are quiet; their kinetic energy counts as
+  /// damped. Collective.
+  Result run(mechanics::Committed& state, Observer& observer, std::vector<double>& force, std::vector<double>& external,
+             const Passing& passing);
+  /// What run() goes on from in a callback, and the way back, with the boundary and the bonds of then. Collective.
+  void save(StateWriter& writer) const;
+  void restore(StateReader& reader);
 
  private:
-  long long break_bonds(ExplicitMotion& motion);
-  bool let_loose_go(ExplicitMotion& motion, Observer& observer);
+  void make_motion(mechanics::Committed&& state, double rate);
+  /// One time step, and the bonds that break after it.
+  void advance(double dt);
+  long long break_bonds();
+  bool let_loose_go(Observer& observer);
 
   const deck::Deck& deck_;
   mechanics::Scene& scene_;
   Boundary& boundary_;
   BondBreaking* breaking_;
   double passage_;
+  std::unique_ptr<ExplicitMotion> motion_;
+  double to_ = 0;  ///< load parameter
+  double last_break_ = 0, most_stored_ = 0;
+  long long estimated_ = 0;  ///< time steps done at the last estimate
+  Result result_;
 };
 
 }  // namespace perinox::solve

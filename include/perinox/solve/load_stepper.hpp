@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "perinox/core/profile.hpp"
 #include "perinox/deck/deck.hpp"
 #include "perinox/mechanics/state.hpp"
 #include "perinox/solve/bond_breaking.hpp"
 #include "perinox/solve/boundary.hpp"
+#include "perinox/solve/hand_over.hpp"
 #include "perinox/solve/newton.hpp"
 #include "perinox/solve/record.hpp"
 #include "perinox/solve/step_control.hpp"
@@ -46,8 +48,13 @@ class LoadStepper {
   using Told = std::function<void(const StepRecord& record)>;
   void on_commit(Told callback) { told_ = std::move(callback); }
 
-  /// Everything run() goes on from, and the way back: restored on as many ranks, the run goes on to the last bit as it
-  /// would have. restore() is called before run(). Collective.
+  /// Called every few time steps while the run goes on in time within a load step, on every rank: steps committed so
+  /// far, t at hand. A RunError it throws ends the run there.
+  using Passing = std::function<void(int step, double t)>;
+  void on_passing(Passing callback) { passing_ = std::move(callback); }
+
+  /// Everything run() goes on from, in a callback, and the way back: restored on as many ranks, the run goes on to the
+  /// last bit as it would have. restore() is called before run(). Collective.
   void save(StateWriter& writer) const;
   void restore(StateReader& reader);
 
@@ -78,9 +85,19 @@ class LoadStepper {
   /// Goes on in time with the loads going to `t` until the body is at rest and in equilibrium again; a reason, if that
   /// does not happen.
   std::string go_through_motion(Observer& observer, double t, const Loss& loss, NewtonResult& total);
+  /// The same from within a phase.
+  std::string finish_motion(Observer& observer, NewtonResult& total);
+  void begin_phase(Observer& observer, double t, const Loss& loss);
+  /// One load step, or its rest after a restart within it; false if a smaller one is to be tried.
+  bool advance(Observer& observer, NewtonResult& result);
   /// The bonds that are critical after an equilibrium, and what follows if there is none afterwards.
   void settle(Observer& observer, NewtonResult& result);
   [[noreturn]] void stop(Observer& observer, double t, const NewtonResult& result);
+  void save_fracture(StateWriter& writer) const;
+  void save_phase(StateWriter& writer) const;
+  void restore_phase(StateReader& reader);
+  /// Broken bonds, loose particles, and Newton's solver made and restored at the crack that it knew.
+  void restore_fracture(StateReader& reader);
 
   const deck::Deck& deck_;
   mechanics::Scene& scene_;
@@ -94,11 +111,22 @@ class LoadStepper {
   Converged converged_;
   StepRecords records_;
   Told told_;
+  Passing passing_;
   int step_ = 0;
-  int passes_ = 0;                   ///< of the step at hand
-  std::optional<MotionRow> motion_;  ///< where the run may go on in time
-  int phase_number_ = 0;             ///< phases in time so far
-  NewtonResult last_result_;         ///< of the committed step
+  int passes_ = 0;                       ///< of the step at hand
+  std::optional<MotionRow> motion_;      ///< where the run may go on in time
+  std::unique_ptr<HandOver> hand_over_;  ///< while the run goes on in time
+  struct Phase {
+    MotionPhase row;     ///< number: phases so far
+    NewtonResult total;  ///< of the step up to its beginning
+    // Of the step before a restart within it.
+    double seconds = 0;
+    long long products = 0;
+  };
+  Phase phase_;
+  double step_begin_ = 0;      ///< moment; a restart within a step counts what came before
+  ProfileReading told_times_;  ///< at the last record
+  NewtonResult last_result_;   ///< of the committed step
 };
 
 }  // namespace perinox::solve

@@ -12,6 +12,8 @@ struct LoosePieces {
   std::vector<char> loose;             ///< [owned] particles of pieces that touch no support
   long long broken = 0;                ///< bonds over all ranks that were the last of particles they could not hold
   std::vector<std::string> sentences;  ///< for the log
+  /// Where in Scene::broken() each round of breaking began on this rank.
+  std::vector<std::size_t> rounds;
 };
 
 /// Breaks what is left of the families whose bonds do not resist every motion of their particle (one bond, bonds along

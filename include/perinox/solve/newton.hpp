@@ -48,6 +48,12 @@ class Newton {
   /// again as after it was made, because the coarse functions still tie the new crack's faces together.
   void bonds_changed(bool supports_too);
 
+  /// What the next solve finds here of the ones before, and the way back. To be restored with the bonds broken that
+  /// were when the coarse part was made ("tangent/coarse_bonds_broken"), after bonds_changed() with those of
+  /// "tangent/bonds_broken". Collective.
+  void save(StateWriter& writer) const;
+  void restore(StateReader& reader);
+
   const TangentSystem& system() const;
   TangentSystem& system();
 

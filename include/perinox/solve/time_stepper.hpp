@@ -1,4 +1,7 @@
 #pragma once
+#include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,15 +34,31 @@ class TimeStepper {
   /// handed to the observer. The state is worthless then, so the observer is given no last one.
   void run(Observer& observer);
 
+  /// Called after the observer has been told of a row, on every rank; a RunError it throws ends the run there.
+  using Told = std::function<void(const StepRecord& record)>;
+  void on_commit(Told callback) { told_ = std::move(callback); }
+
+  /// Called every few time steps within a row, on every rank: rows written so far, t at hand. A RunError it throws ends
+  /// the run there.
+  using Passing = std::function<void(int step, double t)>;
+  void on_passing(Passing callback) { passing_ = std::move(callback); }
+
+  /// Everything run() goes on from, in a callback, and the way back, before run(). Restored on as many ranks, the run
+  /// goes on to the last bit as it would have. Collective.
+  void save(StateWriter& writer) const;
+  void restore(StateReader& reader);
+
   const Boundary& boundary() const { return boundary_; }
-  ExplicitMotion& motion() { return motion_; }
+  ExplicitMotion& motion() { return *motion_; }
   /// At the end of the run.
   const MotionEnergies& energies() const { return energies_; }
   /// Largest gain of energy over the largest energy, at any row.
   double worst_gain() const { return worst_gain_; }
 
  private:
+  void make_motion();
   double time_step();
+  void begin_row(double t);
   bool advance_to(double t);
   StepRecord record(bool written, bool last);
   [[noreturn]] void stop(Observer& observer);
@@ -47,14 +66,23 @@ class TimeStepper {
   const deck::Deck& deck_;
   mechanics::Scene& scene_;
   Boundary boundary_;
-  ExplicitMotion motion_;
+  std::optional<ExplicitMotion> motion_;
   std::unique_ptr<BondBreaking> breaking_;  ///< where bonds can break
   StepRecords records_;
   MotionEnergies energies_;
   double worst_gain_ = 0;
-  double length_ = 0;        ///< of the last time step
+  double length_ = 0;        ///< of a time step in the last row
   long long estimated_ = 0;  ///< time steps done at the last estimate
-  int row_ = 0;
+  int row_ = 0;              ///< rows done of the deck's
+  int step_ = 0;             ///< rows written: others, where a restart has changed their number
+  // Of the row at hand.
+  long long row_done_ = 0, row_count_ = 0;  ///< time steps; done: 0 between rows
+  double row_end_ = 0;                      ///< t
+  double row_longest_ = 0;                  ///< that a time step could be
+  double row_begin_ = 0;                    ///< moment; a restart within the row counts what came before
+  double row_seconds_ = 0;                  ///< before a restart within it
+  Told told_;
+  Passing passing_;
 };
 
 }  // namespace perinox::solve

@@ -64,6 +64,7 @@ class TwoLevel : public OwnedOperator {
   bonds::BondGraph graph_;          ///< until A_c is first made
   std::vector<double> shear_left_;  ///< of A_c
   std::vector<double> springs_;     ///< of A_c, [owned * dimension]
+  long long bonds_broken_ = 0;      ///< when A_c was made, over all ranks
   Settings settings_;
   BlockJacobi block_jacobi_;
   CoarseGrid grid_;

@@ -1,0 +1,52 @@
+/// What a run in time carries from one row to the next, on its way to a checkpoint and back.
+#include <chrono>
+
+#include "perinox/solve/broken_bonds.hpp"
+#include "perinox/solve/time_stepper.hpp"
+
+namespace perinox::solve {
+
+namespace {
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+}  // namespace
+
+void TimeStepper::save(StateWriter& writer) const {
+  writer.integer("stepper/step", step_);
+  writer.integer("stepper/estimated", estimated_);
+  writer.number("stepper/worst_gain", worst_gain_);
+  writer.integer("row/done", row_done_);
+  writer.integer("row/count", row_count_);
+  writer.number("row/length", length_);
+  writer.number("row/end", row_end_);
+  writer.number("row/longest", row_longest_);
+  const double seconds = row_done_ > 0 ? now() - row_begin_ : 0;
+  writer.number("row/seconds", scene_.body().communicator.max(seconds));
+  motion_->save(writer);
+  if (breaking_) save_broken_bonds(scene_, breaking_->rounds(), writer);
+}
+
+// Bonds first: what watches contacts is made of the bonds that are left.
+void TimeStepper::restore(StateReader& reader) {
+  if (breaking_) {
+    BrokenBonds broken(scene_, reader);
+    broken.break_first(broken.count());
+    breaking_->resume(broken);
+  }
+  make_motion();
+  motion_->restore(reader);
+  energies_ = motion_->energies();
+  step_ = static_cast<int>(reader.integer("stepper/step"));
+  estimated_ = reader.integer("stepper/estimated");
+  worst_gain_ = reader.number("stepper/worst_gain");
+  row_done_ = reader.integer("row/done");
+  row_count_ = reader.integer("row/count");
+  length_ = reader.number("row/length");
+  row_end_ = reader.number("row/end");
+  row_longest_ = reader.number("row/longest");
+  row_seconds_ = reader.number("row/seconds");
+  const double t = motion_->t();
+  for (row_ = 0; row_ < deck_.steps.count && t >= deck_.steps.end * (row_ + 1) / deck_.steps.count * (1 - 1e-9);)
+    ++row_;
+}
+
+}  // namespace perinox::solve

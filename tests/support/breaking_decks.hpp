@@ -1,0 +1,63 @@
+#pragma once
+/// Small decks whose bonds break or that move in time, each of a few seconds at most.
+#include <string>
+
+namespace perinox::testing {
+
+/// A notched bar under a growing force that snaps in step 1: 270 time steps at t = 0.2 until the pieces are at rest.
+inline const std::string snapping_bar = R"(
+dimension: plane-stress
+body: [{name: bar, shape: {box: {min: [0, 0], max: [24, 6]}}, spacing: 1, material: brittle}]
+horizon: {ratio: 3.015}
+cracks: [{segment: {start: [12, 0], end: [12, 2]}}]
+materials: {brittle: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, density: 1.0e-9, damage: {energy_release_rate: 0.05}}}
+sets: {wall: {where: "x < 3"}, pulled: {where: "x > 21"}}
+boundary:
+  - {set: wall, displacement: {x: 0, y: 0}}
+  - {set: pulled, force: {x: "60*t"}}
+fracture: {unbreakable: [wall, pulled]}
+steps: {end: 1, count: 5}
+history:
+  - {name: stretch, displacement: pulled, component: x}
+  - {name: held, reaction: wall, component: x}
+)";
+
+/// An edge crack that grows in converged passes through steps 3 to 5, and single particles that come loose.
+inline const std::string torn_plate = R"(
+dimension: plane-stress
+body: [{name: plate, shape: {box: {min: [0, 0], max: [20, 20]}}, spacing: 1, material: brittle}]
+horizon: {ratio: 3.015}
+cracks: [{segment: {start: [0, 10], end: [6, 10]}}]
+materials: {brittle: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, density: 1.0e-9, damage: {energy_release_rate: 0.05}}}
+sets: {bottom: {where: "y < 3"}, top: {where: "y > 17"}}
+boundary:
+  - {set: bottom, displacement: {x: 0, y: 0}}
+  - {set: top, displacement: {x: 0, y: "t"}}
+fracture: {unbreakable: [bottom, top], pass_share: 0.005}
+fallback: none
+steps: {end: 0.06, count: 6}
+history: [{name: pull, reaction: top, component: y}]
+)";
+
+/// Blocks of a ductile metal that collide: contact, flow, damping and bonds that break in 160 time steps of five rows.
+inline const std::string smashed_blocks = R"(
+dimension: 3
+body:
+  - {name: left, shape: {box: {min: [0, 0, 0], max: [8, 4, 4]}}, spacing: 1, material: steel}
+  - {name: right, shape: {box: {min: [8.5, 0, 0], max: [16.5, 4, 4]}}, spacing: 1, material: steel}
+bond_bodies: false
+horizon: {ratio: 2.015}
+materials: {steel: {model: elastic-plastic, young_modulus: 210e3, poisson_ratio: 0.3, density: 7.85e-9, yield_stress: {tension: 400}, damage: {critical_stretch: 0.02}}}
+dynamics: explicit
+explicit: {contact: {distance: 0.9}, damping: 1e3}
+initial_velocity:
+  - {set: left, velocity: {x: 1e5, z: 2e4}}
+  - {set: right, velocity: {x: -1e5}}
+boundary: []
+steps: {end: 2e-5, count: 5}
+history:
+  - {name: left, displacement: left, component: x}
+  - {name: right, displacement: right, component: x}
+)";
+
+}  // namespace perinox::testing
