@@ -15,7 +15,9 @@ void restart_everywhere(const deck::Deck& deck, std::size_t within) {
   ASSERT_EQ(whole.stopped, "");
   const solve::StepRecord& end = whole.records.steps.back();
   const int steps = end.step;
-  if (end.fracture) EXPECT_GT(end.fracture->broken_bonds, 50);  // 80 at least, in the bar that snaps
+  if (end.fracture) {
+    EXPECT_GT(end.fracture->broken_bonds, 50);  // 80 in the bar that snaps
+  }
   std::vector<std::pair<int, std::string>> starts;
   for (int step = 1; step < steps; ++step) starts.emplace_back(step, folder.of_step(step));
   for (std::size_t k = 0; k < folder.passes.size(); ++k)
