@@ -6,7 +6,7 @@
 namespace perinox::solve {
 
 namespace {
-constexpr double tightest = 1e-8;
+constexpr double tightest = 1e-8, after_no_progress = 1e-4;
 }
 
 bool converged(const deck::Newton& settings, const NewtonIteration& last, double before, double floor) {
@@ -21,7 +21,10 @@ double next_forcing(const deck::Solver& settings, const NewtonIteration& last, d
   const double loosest = settings.linear.tolerance;
   if (settings.newton.forcing == deck::Forcing::constant) return loosest;
   double forcing = loosest;
-  if (last.iteration > 0 && before > 0) {
+  if (last.iteration > 0 && (last.residual > before || last.step_length < 1)) {
+    // The last direction was of little use: if the linear solve was to blame, a better one helps.
+    forcing = after_no_progress;
+  } else if (last.iteration > 0 && before > 0) {
     // Eisenstat and Walker's choice 2: as much progress as Newton has just made.
     const double progress = last.residual / before;
     forcing = std::min(loosest, 0.9 * std::pow(progress, 1.5));

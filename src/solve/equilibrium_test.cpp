@@ -4,6 +4,7 @@
 #include <NOX_Thyra.H>
 
 #include <NOX_SolverStats.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "perinox/solve/convergence.hpp"
@@ -42,7 +43,9 @@ NOX::StatusTest::StatusType EquilibriumTest::checkStatus(const NOX::Solver::Gene
   const double before = last_.residual;
   last_ = describe(solver);
   observer_.newton_iteration(last_);
-  status_ = !finite_                                                              ? NOX::StatusTest::Failed
+  most_linear_iterations_ = std::max(most_linear_iterations_, last_.linear_iterations);
+  at_linear_limit_ = linear_limit_fails_ && last_.linear_iterations >= settings_.linear.max_iterations;
+  status_ = !finite_ || at_linear_limit_                                          ? NOX::StatusTest::Failed
             : converged(settings_.newton, last_, before, model_.rounding_floor()) ? NOX::StatusTest::Converged
             : iteration >= settings_.newton.max_iterations                        ? NOX::StatusTest::Failed
                                                                                   : NOX::StatusTest::Unconverged;

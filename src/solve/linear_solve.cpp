@@ -34,12 +34,19 @@ Teuchos::RCP<LinearSolverFactory> belos_factory(const deck::Linear& linear, bool
   return factory;
 }
 
+Failure failure_of(const std::exception& failure) {
+  const std::string text = failure.what();
+  if (text.find("p^H*A*p") != std::string::npos) return Failure::negative_curvature;
+  if (text.find("NaN has been detected") != std::string::npos) return Failure::not_finite;
+  return Failure::other;
+}
+
 std::string sentence_of(const std::exception& failure) {
   std::string text = failure.what();
-  if (text.find("p^H*A*p") != std::string::npos)
+  if (failure_of(failure) == Failure::negative_curvature)
     return "conjugate gradients met negative curvature: the tangent is not positive definite here, the body may be "
-           "losing "
-           "its stability (smaller steps, or solver.linear.method: gmres, go further)";
+           "losing its "
+           "stability (smaller steps, or solver.linear.method: gmres, go further)";
   if (text.rfind("the direct solver", 0) == 0) return text;  // perinox' own words
   // "file:line:\n\nThrow number = 1\n\nThrow test that evaluated to true: ...\n\nthe message"
   while (!text.empty() && text.back() == '\n') text.pop_back();
@@ -72,10 +79,13 @@ LinearOutcome solve_linear(const LinearSolverFactory& factory, const Teuchos::RC
     const auto status = Thyra::solve<double>(*solver, Thyra::NOTRANS, *b, x.ptr(), Teuchos::ptr(&criteria));
     outcome.converged = status.solveStatus != Thyra::SOLVE_STATUS_UNCONVERGED;
     if (!status.extraParameters.is_null()) outcome.iterations = status.extraParameters->get("Iteration Count", 0);
-    if (!outcome.converged)
+    if (!outcome.converged) {
+      outcome.failure = Failure::linear_iterations;
       outcome.reason =
           fmt::format("the linear solver did not reach {:g} in {} iterations", tolerance, outcome.iterations);
+    }
   } catch (const std::exception& failure) {  // Belos throws where conjugate gradients meet negative curvature
+    outcome.failure = failure_of(failure);
     outcome.reason = sentence_of(failure);
   }
   return outcome;

@@ -63,6 +63,30 @@ void LoadStepper::run(Observer& observer) {
   }
 }
 
+bool LoadStepper::go_down(Observer& observer, double t, NewtonResult& result) {
+  if (deck_.steps.control != deck::Control::load) return false;
+  observer.note(fmt::format("no stable equilibrium is near: goes down in energy at t = {:.6g}", t));
+  mechanics::Trial trial;
+  std::vector<double> force;
+  const NewtonResult found = newton_.descend(committed_, t, step_ + 1, observer, trial, force);
+  if (!found.converged) {
+    if (!found.reason.empty()) result.reason += "; " + found.reason;
+    return false;
+  }
+  result = found;
+  if (converged_) converged_(committed_, trial);
+  begin_step();
+  control_->accept(committed_, trial);
+  const Energies before = energies_;
+  commit(std::move(trial), std::move(force));
+  const double lost = before.stored - energies_.stored + before.dissipated - energies_.dissipated +
+                      energies_.external_work - before.external_work;
+  observer.note(fmt::format("a stable equilibrium at t = {:.6g}: {:.4g} of energy lost on the way", t, lost));
+  control_->jumped(committed_.t());
+  settle(observer, result);
+  return true;
+}
+
 void LoadStepper::begin_step() {
   ++step_;
   passes_ = 0;
@@ -85,7 +109,10 @@ bool LoadStepper::advance(Observer& observer, NewtonResult& result) {
     const double tried = control_->tried();
     observer.step_rejected(committed_.t(), tried, result.reason);
     if (control_->cut()) return false;
-    if (!motion_) stop(observer, tried, result);
+    if (!motion_) {
+      if (!go_down(observer, tried, result)) stop(observer, tried, result);
+      return true;
+    }
     begin_step();
     const Loss loss{LostEquilibrium::newton, result.reason};
     const std::string reason = go_through_motion(observer, tried, loss, result);

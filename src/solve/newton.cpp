@@ -6,31 +6,41 @@
 
 #include <NOX_SolverStats.hpp>
 
+#include "perinox/solve/energy_descent.hpp"
 #include "perinox/solve/equilibrium_model.hpp"
 #include "perinox/solve/equilibrium_test.hpp"
 #include "perinox/solve/linear_solve.hpp"
+#include "perinox/solve/natural_line_search.hpp"
 
 namespace perinox::solve {
 
 using Teuchos::RCP;
 using Teuchos::rcp;
 
+namespace {
+/// Tolerance of the linear solves where looser ones have not led to equilibrium.
+constexpr double careful_tolerance = 1e-5;
+/// Linear iterations of one solve from which on a direct solver is taken in scenes of at most so many particles.
+constexpr int slow_iterations = 300;
+constexpr GlobalId most_direct_plane = 60000, most_direct_solid = 1000;
+}  // namespace
+
 struct Newton::Parts {
-  Parts(const deck::Deck& deck_, const mechanics::Scene& scene_, const Boundary& boundary_)
-      : deck(deck_),
+  Parts(const deck::Solver& solver_, const mechanics::Scene& scene_, const Boundary& boundary_)
+      : solver(solver_),
         scene(scene_),
         boundary(boundary_),
-        system(scene_, boundary_.prescribed(), deck_.solver),
+        system(scene_, boundary_.prescribed(), solver_),
         model(rcp(new EquilibriumModel(scene_, boundary_, system))),
-        factory(belos_factory(deck_.solver.linear, system.symmetric())),
+        factory(belos_factory(solver_.linear, system.symmetric())),
         external(scene_.owned_unknowns()) {}
 
   /// Solution of the tangent system at the committed state for the step's change of load and prescribed displacement:
   /// the first guess of the step, added to x.
   LinearOutcome predict(const mechanics::Committed& committed, std::vector<double>& x);
-  RCP<Teuchos::ParameterList> nox_parameters() const;
+  RCP<Teuchos::ParameterList> nox_parameters(const RCP<NaturalLineSearch>& natural) const;
 
-  const deck::Deck& deck;
+  deck::Solver solver;
   const mechanics::Scene& scene;
   const Boundary& boundary;
   TangentSystem system;
@@ -39,16 +49,39 @@ struct Newton::Parts {
   std::vector<double> external;
   double iterations_when_made = 0;  ///< linear iterations a solve in the first step
   double last_iterations = 0;       ///< the same, in the last step
+  int most_iterations = 0;          ///< of one linear solve, in the last step
 };
 
 Newton::Newton(const deck::Deck& deck, const mechanics::Scene& scene, const Boundary& boundary)
-    : parts_(std::make_unique<Parts>(deck, scene, boundary)) {}
+    : deck_(deck), scene_(scene), boundary_(boundary) {
+  make_parts();
+}
 Newton::~Newton() = default;
+
+void Newton::make_parts() {
+  deck::Solver solver = deck_.solver;
+  if (direct_) {
+    solver.tangent = deck::TangentKind::assembled;
+    solver.linear.method = deck::LinearMethod::direct;
+  }
+  if (careful_) solver.linear.tolerance = std::min(solver.linear.tolerance, careful_tolerance);
+  parts_ = std::make_unique<Parts>(solver, scene_, boundary_);
+}
+
+bool Newton::may_take_direct() const {
+  const deck::Solver& asked = deck_.solver;
+  const GlobalId most = scene_.dimension() == 3 ? most_direct_solid : most_direct_plane;
+  return !direct_ && asked.tangent == deck::TangentKind::automatic &&
+         asked.linear.method == deck::LinearMethod::automatic &&
+         asked.linear.preconditioner == deck::Preconditioner::automatic && deck_.steps.control == deck::Control::load &&
+         scene_.body().total <= most;
+}
+
 void Newton::bonds_changed(bool supports_too) {
   Parts& p = *parts_;
   const bool slower = p.iterations_when_made > 0 && p.last_iterations > 1.5 * p.iterations_when_made + 5;
-  if (!supports_too && !p.deck.solver.assembled() && !slower) return;
-  parts_ = std::make_unique<Parts>(p.deck, p.scene, p.boundary);
+  if (!supports_too && !p.solver.assembled() && !slower) return;
+  make_parts();
 }
 
 void Newton::save(StateWriter& writer) const {
@@ -77,6 +110,7 @@ LinearOutcome Newton::Parts::predict(const mechanics::Committed& committed, std:
     system.update_preconditioner();
   } catch (const std::exception& failure) {  // a matrix that cannot be factorised
     LinearOutcome outcome;
+    outcome.failure = failure_of(failure);
     outcome.reason = sentence_of(failure);
     return outcome;
   }
@@ -92,7 +126,7 @@ LinearOutcome Newton::Parts::predict(const mechanics::Committed& committed, std:
     for (std::size_t u = 0; u < unknowns; ++u) values(u, 0) = fixed[u] ? 0 : model->force()[u] + external[u] - stiff[u];
   }
   const LinearOutcome outcome =
-      solve_linear(*factory, model->create_W_op(), model->create_W_prec(), deck.solver.linear.tolerance, right, left);
+      solve_linear(*factory, model->create_W_op(), model->create_W_prec(), solver.linear.tolerance, right, left);
   if (!outcome.converged) return outcome;
   const auto values = left->getLocalViewHost(Tpetra::Access::ReadOnly);
   for (std::size_t u = 0; u < unknowns; ++u)
@@ -100,8 +134,7 @@ LinearOutcome Newton::Parts::predict(const mechanics::Committed& committed, std:
   return outcome;
 }
 
-RCP<Teuchos::ParameterList> Newton::Parts::nox_parameters() const {
-  const deck::Solver& solver = deck.solver;
+RCP<Teuchos::ParameterList> Newton::Parts::nox_parameters(const RCP<NaturalLineSearch>& natural) const {
   auto all = Teuchos::parameterList();
   all->set("Nonlinear Solver", "Line Search Based");
   auto& newton = all->sublist("Direction").sublist("Newton");
@@ -111,10 +144,9 @@ RCP<Teuchos::ParameterList> Newton::Parts::nox_parameters() const {
   newton.sublist("Linear Solver").set("Tolerance", solver.linear.tolerance);
   auto& search = all->sublist("Line Search");
   if (solver.newton.line_search == deck::LineSearch::backtrack) {
-    search.set("Method", "Backtrack");
-    search.sublist("Backtrack").set("Max Iters", 12);
-    search.sublist("Backtrack").set("Minimum Step", 1e-3);
-    search.sublist("Backtrack").set("Recovery Step", 1e-3);
+    search.set("Method", "User Defined");
+    search.set<RCP<NOX::LineSearch::UserDefinedFactory>>("User Defined Line Search Factory",
+                                                         rcp(new GivenLineSearch(natural)));
   } else {
     search.set("Method", "Full Step");
   }
@@ -125,6 +157,40 @@ RCP<Teuchos::ParameterList> Newton::Parts::nox_parameters() const {
 
 NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int step, const std::vector<double>& guess,
                            Observer& observer, mechanics::Trial& trial, std::vector<double>& force) {
+  NewtonResult result = attempt(committed, t, step, guess, observer, trial, force);
+  const auto again = [&](const std::string& how) {
+    observer.step_rejected(committed.t(), t, result.reason + "; " + how);
+    make_parts();
+    result = attempt(committed, t, step, guess, observer, trial, force);
+  };
+  const bool inexact = result.failure == Failure::negative_curvature || result.failure == Failure::no_progress ||
+                       result.failure == Failure::newton_iterations;
+  if (inexact && !careful_ && !in_vain_ && !direct_ && deck_.solver.linear.tolerance > careful_tolerance &&
+      deck_.steps.control == deck::Control::load) {
+    careful_ = true;
+    again(fmt::format("again with linear solves to {:g}", careful_tolerance));
+    in_vain_ = !result.converged;
+    if (in_vain_) {
+      careful_ = false;
+      make_parts();
+    }
+  }
+  if (result.failure == Failure::linear_iterations && may_take_direct()) {
+    direct_ = true;
+    again("again with a direct solver");
+  } else if (result.converged && parts_->most_iterations > slow_iterations && may_take_direct()) {
+    observer.note(
+        fmt::format("a linear solve has taken {} iterations: goes on with a direct solver", parts_->most_iterations));
+    direct_ = true;
+    make_parts();
+  }
+  if (result.converged) in_vain_ = false;
+  return result;
+}
+
+NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, int step,
+                             const std::vector<double>& guess, Observer& observer, mechanics::Trial& trial,
+                             std::vector<double>& force) {
   Parts& p = *parts_;
   NewtonResult result;
   p.boundary.external_force(t, p.external.data());
@@ -144,6 +210,7 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
   if (!good_guess) {
     const LinearOutcome outcome = p.predict(committed, x);
     if (!outcome.converged) {
+      result.failure = outcome.failure;
       result.reason = "no first guess: " + outcome.reason;
       return result;
     }
@@ -160,21 +227,27 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
   const RCP<Thyra::PreconditionerFactoryBase<double>> no_factory;
   auto group = rcp(
       new NOX::Thyra::Group(initial, p.model, p.model->create_W_op(), p.factory, p.model->create_W_prec(), no_factory));
-  auto parameters = p.nox_parameters();
-  auto test = rcp(new EquilibriumTest(*p.model, committed, p.deck.solver, step, t, observer,
+  const auto natural = rcp(new NaturalLineSearch(*p.model, *p.factory));
+  auto parameters = p.nox_parameters(natural);
+  auto test = rcp(new EquilibriumTest(*p.model, committed, p.solver, step, t, observer,
                                       parameters->sublist("Direction").sublist("Newton").sublist("Linear Solver")));
+  if (may_take_direct()) test->fail_at_linear_limit();
   NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
   std::string trouble;
   try {
     const auto solver = NOX::Solver::buildSolver(group, test, parameters);
     status = solver->solve();
     result.newton_iterations = solver->getNumIterations();
-    result.linear_iterations += solver->getSolverStatistics()->linearSolve.allNonlinearSolves_NumLinearIterations;
+    result.linear_iterations += solver->getSolverStatistics()->linearSolve.allNonlinearSolves_NumLinearIterations +
+                                natural->linear_iterations();
   } catch (const std::exception& failure) {
+    result.failure = failure_of(failure);
     trouble = sentence_of(failure);
   } catch (const char* failure) {  // NOX throws bare strings
+    result.failure = Failure::other;
     trouble = std::string("NOX stopped: ") + failure;
   }
+  p.most_iterations = test->most_linear_iterations();
   if (result.newton_iterations > 0) {
     p.last_iterations = static_cast<double>(result.linear_iterations) / result.newton_iterations;
     if (p.iterations_when_made == 0) p.iterations_when_made = p.last_iterations;
@@ -185,17 +258,42 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
     force = p.model->force();
     return result;
   }
-  if (!trouble.empty())
+  if (!trouble.empty()) {
     result.reason = trouble;
-  else if (!test->finite())
+  } else if (!test->finite()) {
+    result.failure = Failure::not_finite;
     result.reason = p.model->not_finite();
-  else if (test->last().iteration >= p.deck.solver.newton.max_iterations)
+  } else if (test->at_linear_limit()) {
+    result.failure = Failure::linear_iterations;
+    result.reason = fmt::format("the linear solver did not reach {:.1g} in {} iterations", test->last().forcing,
+                                test->last().linear_iterations);
+  } else if (test->last().iteration >= p.solver.newton.max_iterations) {
+    result.failure = Failure::newton_iterations;
     result.reason = fmt::format("Newton did not converge in {} iterations (relative residual {:.2e})",
                                 test->last().iteration, test->last().relative_residual);
-  else
-    result.reason =
-        fmt::format("no step length along Newton's direction lowers the residual (relative residual {:.2e})",
-                    test->last().relative_residual);
+  } else {
+    result.failure = Failure::no_progress;
+    result.reason = fmt::format("no step length along Newton's direction makes progress (relative residual {:.2e})",
+                                test->last().relative_residual);
+  }
+  return result;
+}
+
+NewtonResult Newton::descend(const mechanics::Committed& committed, double t, int step, Observer& observer,
+                             mechanics::Trial& trial, std::vector<double>& force) {
+  Parts& p = *parts_;
+  NewtonResult result;
+  if (!p.system.symmetric() || p.solver.assembled()) return result;
+  p.boundary.external_force(t, p.external.data());
+  p.model->set_step(committed, p.external, t);
+  std::vector<double> x(committed.displacement().begin(),
+                        committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.scene.owned_unknowns()));
+  p.boundary.impose(t, x.data());
+  result = EnergyDescent(p.solver, p.boundary, p.system, *p.model, *p.factory)
+               .run(committed, p.external, t, step, observer, x);
+  if (!result.converged) return result;
+  trial = std::move(p.model->trial());
+  force = p.model->force();
   return result;
 }
 

@@ -26,10 +26,13 @@ class TangentSystem::Masked : public OwnedOperator {
       if (prescribed_[u]) free_[u] = 0;
     tangent_.apply(free_.data(), y);
     for (std::size_t u = 0; u < unknowns; ++u)
-      if (prescribed_[u]) y[u] = diagonal * x[u];
+      if (prescribed_[u])
+        y[u] = diagonal * x[u];
+      else if (shift > 0)
+        y[u] += shift * diagonal * x[u];
   }
 
-  double diagonal = 1;
+  double diagonal = 1, shift = 0;
 
  private:
   const mechanics::Tangent& tangent_;
@@ -172,6 +175,8 @@ void TangentSystem::update(const mechanics::Committed& committed, const double* 
   const Profile::Scope filling(profile, Section::assembly);
   assembled_->fill(*stored_, stiffness_scale_);
 }
+
+void TangentSystem::shift(double share) { masked_->shift = share; }
 
 void TangentSystem::save(StateWriter& writer) const {
   writer.number("tangent/stiffness_scale", stiffness_scale_);

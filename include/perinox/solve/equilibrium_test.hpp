@@ -22,6 +22,11 @@ class EquilibriumTest : public NOX::StatusTest::Generic {
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
   std::ostream& print(std::ostream& stream, int) const override { return stream; }
 
+  /// A linear solve that needs all its iterations fails the step.
+  void fail_at_linear_limit() { linear_limit_fails_ = true; }
+  bool at_linear_limit() const { return at_linear_limit_; }
+  /// The most that one linear solve has taken.
+  int most_linear_iterations() const { return most_linear_iterations_; }
   /// The last iterate that was judged.
   const NewtonIteration& last() const { return last_; }
   /// False if its force balance had an infinity or was not a number.
@@ -39,6 +44,8 @@ class EquilibriumTest : public NOX::StatusTest::Generic {
   Teuchos::ParameterList& linear_;
   NewtonIteration last_;
   bool finite_ = true;
+  bool linear_limit_fails_ = false, at_linear_limit_ = false;
+  int most_linear_iterations_ = 0;
   int judged_ = -1;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };

@@ -7,6 +7,7 @@
 
 #include "perinox/core/tpetra.hpp"
 #include "perinox/deck/deck.hpp"
+#include "perinox/solve/newton.hpp"
 
 namespace perinox::solve {
 
@@ -17,10 +18,13 @@ Teuchos::RCP<LinearSolverFactory> belos_factory(const deck::Linear& linear, bool
 
 struct LinearOutcome {
   bool converged = false;
+  Failure failure = Failure::none;
   int iterations = 0;
   std::string reason;  ///< a sentence, where not converged
 };
 
+/// What Trilinos threw; other, where it is nothing that is known here.
+Failure failure_of(const std::exception& failure);
 /// One sentence for what Trilinos threw: its own text runs over several lines and names its source files.
 std::string sentence_of(const std::exception& failure);
 

@@ -92,6 +92,9 @@ class LoadStepper {
   bool advance(Observer& observer, NewtonResult& result);
   /// The bonds that are critical after an equilibrium, and what follows if there is none afterwards.
   void settle(Observer& observer, NewtonResult& result);
+  /// Where a step fails at its smallest size: down in energy to the next stable equilibrium at load parameter t, and
+  /// commits it. False, and the reason added to that of `result`, if there is none.
+  bool go_down(Observer& observer, double t, NewtonResult& result);
   [[noreturn]] void stop(Observer& observer, double t, const NewtonResult& result);
   void save_fracture(StateWriter& writer) const;
   void save_phase(StateWriter& writer) const;

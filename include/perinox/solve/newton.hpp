@@ -23,8 +23,20 @@ struct ForceBalance {
   double relative() const;
 };
 
+/// Why an attempt at equilibrium failed.
+enum class Failure {
+  none,
+  linear_iterations,   ///< a linear solve did not reach its tolerance
+  negative_curvature,  ///< the tangent is not positive definite
+  no_progress,         ///< no step length along Newton's direction makes progress
+  newton_iterations,   ///< too many
+  not_finite,          ///< a force is infinite or not a number
+  other
+};
+
 struct NewtonResult {
   bool converged = false;
+  Failure failure = Failure::none;
   std::string reason;  ///< a sentence, where not converged
   int newton_iterations = 0;
   int linear_iterations = 0;
@@ -40,8 +52,16 @@ class Newton {
   /// Solves for equilibrium at load parameter t from the committed state. `step` only labels the records. On
   /// convergence `trial` is the state to commit and `force` [owned * dimension] its internal force.
   /// `guess` [owned * dimension] starts the free unknowns, or is empty.
+  /// Where an attempt fails and better linear solves may be the remedy, it is made again with them: to a tighter
+  /// tolerance, or, in a small scene whose conjugate gradients converge badly (a slender body), with a direct solver.
+  /// What has helped is kept.
   NewtonResult solve(const mechanics::Committed& committed, double t, int step, const std::vector<double>& guess,
                      Observer& observer, mechanics::Trial& trial, std::vector<double>& force);
+
+  /// Where there is no stable equilibrium near the committed state: goes down in energy to the next one. Needs a
+  /// symmetric tangent that is not a matrix; a failure with an empty reason elsewhere.
+  NewtonResult descend(const mechanics::Committed& committed, double t, int step, Observer& observer,
+                       mechanics::Trial& trial, std::vector<double>& force);
 
   /// To be called when bonds have broken or supports have changed. The tangent system is made anew where it has to be:
   /// with other supports, where it is a matrix, or where the linear solves have come to take half as many iterations
@@ -58,6 +78,17 @@ class Newton {
   TangentSystem& system();
 
  private:
+  NewtonResult attempt(const mechanics::Committed& committed, double t, int step, const std::vector<double>& guess,
+                       Observer& observer, mechanics::Trial& trial, std::vector<double>& force);
+  bool may_take_direct() const;
+  void make_parts();
+
+  const deck::Deck& deck_;
+  const mechanics::Scene& scene_;
+  const Boundary& boundary_;
+  bool careful_ = false;  ///< linear solves to a tighter tolerance
+  bool in_vain_ = false;  ///< that has not helped either, at this step
+  bool direct_ = false;   ///< in place of conjugate gradients
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

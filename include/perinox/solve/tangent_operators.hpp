@@ -28,6 +28,10 @@ class TangentSystem {
   /// call and kept. Collective.
   void update_preconditioner();
 
+  /// The linear operator is K + share * stiffness_scale() on the free unknowns from now on; nothing of it is in the
+  /// preconditioner. Not of an assembled tangent.
+  void shift(double share);
+
   /// What the next step would find here of the steps before, and the way back: the scale of stiffness, and what the
   /// coarse part of two-level is made of, which is made again. Collective.
   void save(StateWriter& writer) const;

@@ -1,0 +1,36 @@
+#pragma once
+#include <vector>
+
+#include "perinox/solve/equilibrium_model.hpp"
+#include "perinox/solve/linear_solve.hpp"
+
+namespace perinox::solve {
+
+/// Goes down in energy from a point without a stable equilibrium nearby to the next stable one: what an overdamped body
+/// would do. Newton's steps with a shift of the tangent, K + mu diag(k), k its scale of stiffness, mu as small as
+/// conjugate gradients allow (Levenberg and Marquardt's trust region in the norm of the displacement); a step is taken
+/// if it lowers stored + dissipated energy - work of the dead loads, and, once rounding hides that, the residual.
+/// Needs a symmetric tangent that is not a matrix.
+class EnergyDescent {
+ public:
+  EnergyDescent(const deck::Solver& solver, const Boundary& boundary, TangentSystem& system, EquilibriumModel& model,
+                const LinearSolverFactory& factory)
+      : solver_(solver), boundary_(boundary), system_(system), model_(model), factory_(factory) {}
+
+  /// From displacement x [owned * dimension], prescribed values imposed, on the step that the model has been given;
+  /// external: of that step. Converged: x is a stable equilibrium and the model was evaluated there last. Collective.
+  NewtonResult run(const mechanics::Committed& committed, const std::vector<double>& external, double t, int step,
+                   Observer& observer, std::vector<double>& x);
+
+ private:
+  /// Stored + dissipated energy of the step - external force . displacement at the last evaluation, over all ranks.
+  double potential(const std::vector<double>& external) const;
+
+  const deck::Solver& solver_;
+  const Boundary& boundary_;
+  TangentSystem& system_;
+  EquilibriumModel& model_;
+  const LinearSolverFactory& factory_;
+};
+
+}  // namespace perinox::solve
