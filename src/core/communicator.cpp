@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "perinox/core/error.hpp"
+#include "perinox/core/sentence.hpp"
 
 namespace perinox {
 
@@ -93,15 +94,8 @@ std::vector<long long> Communicator::gather(const std::vector<long long>& values
 void Communicator::barrier() const { MPI_Barrier(comm_); }
 
 void Communicator::agree_on_input_error(const std::string& sentence) const {
-  const int mine = sentence.empty() ? size_ : rank_;
-  const int speaker = reduce(mine, MPI_INT, MPI_MIN, comm_);
-  if (speaker == size_) return;
-  auto length = static_cast<int>(sentence.size());
-  MPI_Bcast(&length, 1, MPI_INT, speaker, comm_);
-  std::string text = sentence;
-  text.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(text.data(), length, MPI_CHAR, speaker, comm_);
-  throw InputError(text);
+  const std::string text = first_sentence(*this, sentence);
+  if (!text.empty()) throw InputError(text);
 }
 
 }  // namespace perinox

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perinox/core/sentence.hpp"
 #include "perinox/solve/rigid_modes.hpp"
 
 namespace perinox::solve {
@@ -89,10 +90,11 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
           "nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with displacement");
     refuse_free_pieces(deck, scene, prescribed_);
   } else {
-    check_finite(0);
+    scene_.body().communicator.agree_on_input_error(first_not_finite(0));
   }
-  check_finite(deck.steps.count > 0 ? deck.steps.end / deck.steps.count : deck.steps.end);
-  check_finite(deck.steps.end);
+  scene_.body().communicator.agree_on_input_error(
+      first_not_finite(deck.steps.count > 0 ? deck.steps.end / deck.steps.count : deck.steps.end));
+  scene_.body().communicator.agree_on_input_error(first_not_finite(deck.steps.end));
   keep_steady_values();
 }
 
@@ -144,24 +146,26 @@ double Boundary::value(const Entry& entry, int component, LocalIndex i, double t
   return (*expression)(x[0], x[1], x[2], t);
 }
 
-void Boundary::check_finite(double t) const {
-  std::string sentence;
+std::string Boundary::not_finite(double t) const {
+  return first_sentence(scene_.body().communicator, first_not_finite(t));
+}
+
+std::string Boundary::first_not_finite(double t) const {
   for (const Entry& entry : entries_) {
     if (entry.table) continue;
     const bool pressure = entry.load->kind == deck::LoadKind::pressure;
-    for (int c = 0; c < (pressure ? 1 : scene_.dimension()) && sentence.empty(); ++c)
+    for (int c = 0; c < (pressure ? 1 : scene_.dimension()); ++c)
       for (const LocalIndex i : *entry.set) {
         if (std::isfinite(value(entry, c, i, t))) continue;
         const deck::Point x = scene_.body().position3(i);
-        sentence = fmt::format(
+        return fmt::format(
             "{}: the {} is not a finite number at ({:g}, {:g}, {:g}) for t = {:g}; check "
             "the formula {}",
             entry.load->location.text(), pressure ? "pressure" : fmt::format("{} component", axis[c]), x[0], x[1], x[2],
             t, entry.load->component[c]->text());
-        break;
       }
   }
-  scene_.body().communicator.agree_on_input_error(sentence);
+  return "";
 }
 
 void Boundary::impose(double t, double* displacement) const {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "perinox/core/sentence.hpp"
+
 namespace perinox::solve {
 
 namespace {
@@ -56,16 +58,8 @@ const ForceBalance& EquilibriumModel::evaluate(const double* displacement) const
 
 std::string EquilibriumModel::not_finite() const {
   const std::string mine = mechanics::first_not_finite(scene_, trial_, force_.data());
-  const Communicator& ranks = scene_.body().communicator;
-  const long long speaker =
-      -ranks.max(mine.empty() ? -static_cast<long long>(ranks.size()) : -static_cast<long long>(ranks.rank()));
-  if (speaker == ranks.size()) return "the force balance is not finite";
-  auto length = static_cast<int>(mine.size());
-  MPI_Bcast(&length, 1, MPI_INT, static_cast<int>(speaker), ranks.mpi());
-  std::string text = mine;
-  text.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(text.data(), length, MPI_CHAR, static_cast<int>(speaker), ranks.mpi());
-  return text;
+  const std::string text = first_sentence(scene_.body().communicator, mine);
+  return text.empty() ? "the force balance is not finite" : text;
 }
 
 double EquilibriumModel::rounding_floor() const {

@@ -64,7 +64,7 @@ void LoadStepper::run(Observer& observer) {
 }
 
 bool LoadStepper::go_down(Observer& observer, double t, NewtonResult& result) {
-  if (deck_.steps.control != deck::Control::load) return false;
+  if (deck_.steps.control != deck::Control::load || result.failure == Failure::not_finite) return false;
   observer.note(fmt::format("no stable equilibrium is near: goes down in energy at t = {:.6g}", t));
   mechanics::Trial trial;
   std::vector<double> force;

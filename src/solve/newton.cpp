@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <NOX_SolverStats.hpp>
+#include <algorithm>
+#include <cmath>
 
 #include "perinox/solve/energy_descent.hpp"
 #include "perinox/solve/equilibrium_model.hpp"
@@ -35,6 +37,8 @@ struct Newton::Parts {
         factory(belos_factory(solver_.linear, system.symmetric())),
         external(scene_.owned_unknowns()) {}
 
+  /// False if a load or a prescribed displacement is infinite or not a number, on any rank. Collective.
+  bool loads_finite(const std::vector<double>& x) const;
   /// Solution of the tangent system at the committed state for the step's change of load and prescribed displacement:
   /// the first guess of the step, added to x.
   LinearOutcome predict(const mechanics::Committed& committed, std::vector<double>& x);
@@ -100,6 +104,12 @@ void Newton::restore(StateReader& reader) {
 
 const TangentSystem& Newton::system() const { return parts_->system; }
 TangentSystem& Newton::system() { return parts_->system; }
+
+bool Newton::Parts::loads_finite(const std::vector<double>& x) const {
+  double sum = 0;
+  for (std::size_t u = 0; u < x.size(); ++u) sum += std::abs(external[u]) + std::abs(x[u]);
+  return !scene.body().communicator.any(!std::isfinite(sum));
+}
 
 LinearOutcome Newton::Parts::predict(const mechanics::Committed& committed, std::vector<double>& x) {
   const std::vector<double>& start = committed.displacement();
@@ -202,6 +212,11 @@ NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, in
   const bool guessed = p.scene.body().communicator.any(!guess.empty());
   if (guessed) x = guess;
   p.boundary.impose(t, x.data());
+  if (!p.loads_finite(x)) {
+    result.failure = Failure::not_finite;
+    result.reason = p.boundary.not_finite(t);
+    return result;
+  }
   bool good_guess = p.boundary.free_count() == 0;
   if (guessed) {
     const ForceBalance& balance = p.model->evaluate(x.data());

@@ -46,6 +46,9 @@ class Boundary {
   /// External forces at t: [owned * dimension], force. A total force is spread over its set by volume; tractions and
   /// pressures act on the reference surface and do not turn with it.
   void external_force(double t, double* force) const;
+  /// Names the first load that is infinite or not a number at t, with its line, place and formula; "" if none is.
+  /// Collective.
+  std::string not_finite(double t) const;
   /// One sentence for each unknown prescribed twice, at most one per pair of entries; for the log.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
@@ -62,7 +65,7 @@ class Boundary {
   void keep_steady_values();
   void count_unknowns();
   void add_surface_force(const Entry& entry, double t, double* force) const;
-  void check_finite(double t) const;
+  std::string first_not_finite(double t) const;
   double value(const Entry& entry, int component, LocalIndex i, double t) const;
   /// Of the k-th particle of the entry's set.
   double value_of(const Entry& entry, int component, std::size_t k, double t) const;

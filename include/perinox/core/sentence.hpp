@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "perinox/core/communicator.hpp"
+
+namespace perinox {
+
+/// The sentence of the first rank that has one, on every rank; "" if none has. Collective.
+std::string first_sentence(const Communicator& ranks, const std::string& mine);
+
+}  // namespace perinox
