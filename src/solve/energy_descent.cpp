@@ -9,6 +9,7 @@ namespace perinox::solve {
 
 namespace {
 constexpr int most_iterations = 300;
+constexpr long long most_linear_iterations = 30000;
 constexpr double smallest_shift = 1e-8, largest_shift = 1e3;
 constexpr double shortest = 1e-4, sufficient = 1e-4;
 /// Share of the energy that rounding may hide.
@@ -65,7 +66,7 @@ NewtonResult EnergyDescent::run(const mechanics::Committed& committed, const std
     row.forcing = solver_.linear.tolerance;
     observer.newton_iteration(row);
     result.newton_iterations = iteration;
-    if (iteration >= most_iterations) break;
+    if (iteration >= most_iterations || result.linear_iterations >= most_linear_iterations) break;
 
     system_.update(committed, x.data());
     system_.update_preconditioner();
@@ -127,6 +128,17 @@ NewtonResult EnergyDescent::run(const mechanics::Committed& committed, const std
       continue;
     }
     x = best;
+    double far = 0;
+    for (std::size_t u = 0; u < unknowns; ++u) far += std::pow(x[u] - committed.displacement()[u], 2);
+    std::vector<double> square{far};
+    model_.sum(square);
+    if (!(std::sqrt(square[0]) <= reach_)) {
+      result.failure = Failure::no_progress;
+      result.reason =
+          "going down in energy the body runs away, farther than it is large: the load is beyond what it "
+          "carries";
+      return result;
+    }
     update = length * std::sqrt(sums[1]);
     shift = length < 1 ? 4 * shift : shift <= smallest_shift ? 0 : shift / 10;
   }

@@ -44,7 +44,9 @@ NOX::StatusTest::StatusType EquilibriumTest::checkStatus(const NOX::Solver::Gene
   last_ = describe(solver);
   observer_.newton_iteration(last_);
   most_linear_iterations_ = std::max(most_linear_iterations_, last_.linear_iterations);
-  at_linear_limit_ = linear_limit_fails_ && last_.linear_iterations >= settings_.linear.max_iterations;
+  // One bad linear solve may be a way to a better place; a second one is not.
+  if (last_.linear_iterations >= settings_.linear.max_iterations) ++linear_failures_;
+  at_linear_limit_ = linear_failures_ > (linear_limit_fails_ ? 0 : 1);
   status_ = !finite_ || at_linear_limit_                                          ? NOX::StatusTest::Failed
             : converged(settings_.newton, last_, before, model_.rounding_floor()) ? NOX::StatusTest::Converged
             : iteration >= settings_.newton.max_iterations                        ? NOX::StatusTest::Failed

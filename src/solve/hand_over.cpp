@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "perinox/body/extent.hpp"
 #include "perinox/solve/loose_pieces.hpp"
 #include "perinox/solve/stable_step.hpp"
 
@@ -21,18 +22,7 @@ constexpr double most_passages = 1000, damping_over_passage = 2;
 }  // namespace
 
 double passage_time(const deck::Deck& deck, const mechanics::Scene& scene) {
-  const body::Body& body = scene.body();
   const int d = scene.dimension();
-  double square = 0;
-  for (int c = 0; c < d; ++c) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (LocalIndex i = 0; i < body.owned; ++i) {
-      low = std::min(low, body.position(i)[c]);
-      high = std::max(high, body.position(i)[c]);
-    }
-    const double length = body.communicator.max(high) - body.communicator.min(low);
-    square += length * length;
-  }
   double slowest = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < deck.materials.size(); ++m) {
     if (!deck.materials[m].density)
@@ -42,7 +32,7 @@ double passage_time(const deck::Deck& deck, const mechanics::Scene& scene) {
     slowest =
         std::min(slowest, std::sqrt((moduli.bulk + 2 * moduli.shear * (1 - 1.0 / d)) / *deck.materials[m].density));
   }
-  return std::max(std::sqrt(square), scene.families().horizon) / slowest;
+  return std::max(body::diagonal(scene.body()), scene.families().horizon) / slowest;
 }
 
 HandOver::HandOver(const deck::Deck& deck, mechanics::Scene& scene, Boundary& boundary, BondBreaking* breaking)

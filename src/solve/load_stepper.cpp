@@ -81,6 +81,7 @@ bool LoadStepper::go_down(Observer& observer, double t, NewtonResult& result) {
   commit(std::move(trial), std::move(force));
   const double lost = before.stored - energies_.stored + before.dissipated - energies_.dissipated +
                       energies_.external_work - before.external_work;
+  energies_.relaxed += lost;
   observer.note(fmt::format("a stable equilibrium at t = {:.6g}: {:.4g} of energy lost on the way", t, lost));
   control_->jumped(committed_.t());
   settle(observer, result);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perinox/body/extent.hpp"
 #include "perinox/solve/energy_descent.hpp"
 #include "perinox/solve/equilibrium_model.hpp"
 #include "perinox/solve/equilibrium_test.hpp"
@@ -304,7 +305,8 @@ NewtonResult Newton::descend(const mechanics::Committed& committed, double t, in
   std::vector<double> x(committed.displacement().begin(),
                         committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.scene.owned_unknowns()));
   p.boundary.impose(t, x.data());
-  result = EnergyDescent(p.solver, p.boundary, p.system, *p.model, *p.factory)
+  const double reach = body::diagonal(p.scene.body()) * std::sqrt(static_cast<double>(p.scene.body().total));
+  result = EnergyDescent(p.solver, p.boundary, p.system, *p.model, *p.factory, reach)
                .run(committed, p.external, t, step, observer, x);
   if (!result.converged) return result;
   trial = std::move(p.model->trial());

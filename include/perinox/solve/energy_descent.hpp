@@ -13,9 +13,11 @@ namespace perinox::solve {
 /// Needs a symmetric tangent that is not a matrix.
 class EnergyDescent {
  public:
+  /// reach: displacement (of all particles, root of the sum of squares) beyond which the body is said to run away:
+  /// under a load beyond what it carries the energy has no minimum.
   EnergyDescent(const deck::Solver& solver, const Boundary& boundary, TangentSystem& system, EquilibriumModel& model,
-                const LinearSolverFactory& factory)
-      : solver_(solver), boundary_(boundary), system_(system), model_(model), factory_(factory) {}
+                const LinearSolverFactory& factory, double reach)
+      : solver_(solver), boundary_(boundary), system_(system), model_(model), factory_(factory), reach_(reach) {}
 
   /// From displacement x [owned * dimension], prescribed values imposed, on the step that the model has been given;
   /// external: of that step. Converged: x is a stable equilibrium and the model was evaluated there last. Collective.
@@ -31,6 +33,7 @@ class EnergyDescent {
   TangentSystem& system_;
   EquilibriumModel& model_;
   const LinearSolverFactory& factory_;
+  double reach_;
 };
 
 }  // namespace perinox::solve

@@ -22,7 +22,7 @@ class EquilibriumTest : public NOX::StatusTest::Generic {
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
   std::ostream& print(std::ostream& stream, int) const override { return stream; }
 
-  /// A linear solve that needs all its iterations fails the step.
+  /// The first linear solve that needs all its iterations fails the step, not only the second.
   void fail_at_linear_limit() { linear_limit_fails_ = true; }
   bool at_linear_limit() const { return at_linear_limit_; }
   /// The most that one linear solve has taken.
@@ -45,7 +45,7 @@ class EquilibriumTest : public NOX::StatusTest::Generic {
   NewtonIteration last_;
   bool finite_ = true;
   bool linear_limit_fails_ = false, at_linear_limit_ = false;
-  int most_linear_iterations_ = 0;
+  int most_linear_iterations_ = 0, linear_failures_ = 0;
   int judged_ = -1;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
