@@ -69,8 +69,13 @@ void Newton::make_parts() {
     solver.tangent = deck::TangentKind::assembled;
     solver.linear.method = deck::LinearMethod::direct;
   }
-  if (careful_) solver.linear.tolerance = std::min(solver.linear.tolerance, careful_tolerance);
   parts_ = std::make_unique<Parts>(solver, scene_, boundary_);
+  set_tolerance();
+}
+
+void Newton::set_tolerance() {
+  const double asked = deck_.solver.linear.tolerance;
+  parts_->solver.linear.tolerance = careful_ ? std::min(asked, careful_tolerance) : asked;
 }
 
 bool Newton::may_take_direct() const {
@@ -92,10 +97,19 @@ void Newton::bonds_changed(bool supports_too) {
 void Newton::save(StateWriter& writer) const {
   writer.number("newton/iterations_when_made", parts_->iterations_when_made);
   writer.number("newton/last_iterations", parts_->last_iterations);
+  writer.integer("newton/careful", careful_ ? 1 : 0);
+  writer.integer("newton/in_vain", in_vain_ ? 1 : 0);
+  writer.integer("newton/direct", direct_ ? 1 : 0);
   parts_->system.save(writer);
 }
 
 void Newton::restore(StateReader& reader) {
+  const auto flag = [&](const char* name) { return reader.has(name) && reader.integer(name) != 0; };
+  careful_ = flag("newton/careful");
+  in_vain_ = flag("newton/in_vain");
+  direct_ = flag("newton/direct");
+  if (direct_) make_parts();
+  set_tolerance();
   if (reader.has("newton/last_iterations")) {
     parts_->iterations_when_made = reader.number("newton/iterations_when_made");
     parts_->last_iterations = reader.number("newton/last_iterations");
@@ -171,7 +185,6 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
   NewtonResult result = attempt(committed, t, step, guess, observer, trial, force);
   const auto again = [&](const std::string& how) {
     observer.step_rejected(committed.t(), t, result.reason + "; " + how);
-    make_parts();
     result = attempt(committed, t, step, guess, observer, trial, force);
   };
   const bool inexact = result.failure == Failure::negative_curvature || result.failure == Failure::no_progress ||
@@ -179,15 +192,15 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
   if (inexact && !careful_ && !in_vain_ && !direct_ && deck_.solver.linear.tolerance > careful_tolerance &&
       deck_.steps.control == deck::Control::load) {
     careful_ = true;
+    set_tolerance();
     again(fmt::format("again with linear solves to {:g}", careful_tolerance));
     in_vain_ = !result.converged;
-    if (in_vain_) {
-      careful_ = false;
-      make_parts();
-    }
+    careful_ = !in_vain_;
+    set_tolerance();
   }
   if (result.failure == Failure::linear_iterations && may_take_direct()) {
     direct_ = true;
+    make_parts();
     again("again with a direct solver");
   } else if (result.converged && parts_->most_iterations > slow_iterations && may_take_direct()) {
     observer.note(

@@ -82,6 +82,7 @@ class Newton {
                        Observer& observer, mechanics::Trial& trial, std::vector<double>& force);
   bool may_take_direct() const;
   void make_parts();
+  void set_tolerance();
 
   const deck::Deck& deck_;
   const mechanics::Scene& scene_;
