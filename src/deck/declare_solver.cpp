@@ -24,7 +24,8 @@ Key declare_solver() {
            "step is converged: the last update times the factor by which it has lowered the residual."),
        integer_key("max_iterations", 1, 100000, "25", "Iterations after which a step counts as failed."),
        word_key("line_search", words::line_search, "backtrack",
-                "Shorten an update that does not lower the residual, or always take it whole."),
+                "Shorten an update that makes no progress (it neither lowers the residual nor brings the next correction "
+                "down), or always take it whole."),
        word_key("forcing", words::forcing, "eisenstat-walker",
                 "Tolerance of the linear solves: adapted to Newton's progress, or always linear.tolerance.")});
   newton.fallback = "{}";

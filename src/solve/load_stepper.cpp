@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "perinox/body/extent.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/solve/arc_length.hpp"
 
@@ -47,6 +48,7 @@ void LoadStepper::run(Observer& observer) {
   while (hand_over_ || !control_->finished()) {
     NewtonResult result;
     if (!advance(observer, result)) continue;
+    doubt_small_strain(observer);
     last_result_ = result;
     const bool last = control_->finished();
     StepRecord row = record(result, last || step_ % deck_.output.every == 0);
@@ -86,6 +88,20 @@ bool LoadStepper::go_down(Observer& observer, double t, NewtonResult& result) {
   control_->jumped(committed_.t());
   settle(observer, result);
   return true;
+}
+
+void LoadStepper::doubt_small_strain(Observer& observer) {
+  if (!scene_.small_strain() || small_strain_doubted_) return;
+  double most = 0;
+  for (std::size_t u = 0; u < scene_.owned_unknowns(); ++u)
+    if (!boundary_.prescribed()[u]) most = std::max(most, std::abs(committed_.displacement()[u]));
+  small_strain_doubted_ = scene_.body().communicator.max(most) > 0.5 * body::diagonal(scene_.body());
+  if (small_strain_doubted_)
+    observer.note(
+        fmt::format("warning: at t = {:.6g} the body moves by more than half its size; deformation: small does not "
+                    "hold for that, or "
+                    "the load is beyond what the body carries",
+                    committed_.t()));
 }
 
 void LoadStepper::begin_step() {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <NOX_SolverStats.hpp>
+#include <Teuchos_oblackholestream.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -175,7 +176,9 @@ RCP<Teuchos::ParameterList> Newton::Parts::nox_parameters(const RCP<NaturalLineS
   } else {
     search.set("Method", "Full Step");
   }
-  all->sublist("Printing").set("Output Information", 0);
+  // What NOX would print is said in perinox' own words.
+  const RCP<std::ostream> nowhere = rcp(new Teuchos::oblackholestream);
+  all->sublist("Printing").set("Output Information", 0).set("Output Stream", nowhere).set("Error Stream", nowhere);
   all->sublist("Solver Options").set("Status Test Check Type", "Complete");
   return all;
 }
@@ -310,9 +313,11 @@ NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, in
 
 NewtonResult Newton::descend(const mechanics::Committed& committed, double t, int step, Observer& observer,
                              mechanics::Trial& trial, std::vector<double>& force) {
-  Parts& p = *parts_;
   NewtonResult result;
-  if (!p.system.symmetric() || p.solver.assembled()) return result;
+  if (!parts_->system.symmetric() || deck_.solver.assembled()) return result;
+  std::unique_ptr<Parts> without_matrix;
+  if (direct_) without_matrix = std::make_unique<Parts>(deck_.solver, scene_, boundary_);
+  Parts& p = direct_ ? *without_matrix : *parts_;
   p.boundary.external_force(t, p.external.data());
   p.model->set_step(committed, p.external, t);
   std::vector<double> x(committed.displacement().begin(),

@@ -24,7 +24,7 @@ struct Energies {
   double dissipated = 0;
   double external_work = 0;  ///< of the reactions and the external forces, trapezoidal over each step
   double released = 0;       ///< stored energy that went with breaking bonds, the deformation held
-  double relaxed = 0;        ///< lost between breaking and the next equilibrium
+  double relaxed = 0;        ///< lost on the way down to the next equilibrium
   double damped = 0;         ///< while the run went on in time, the kinetic energy left at its end included
 };
 
@@ -68,6 +68,8 @@ class LoadStepper {
  private:
   std::unique_ptr<StepControl> make_control();
   void begin_step();
+  /// Tells once that displacements have outgrown `deformation: small`.
+  void doubt_small_strain(Observer& observer);
   void commit(mechanics::Trial&& trial, std::vector<double>&& force);
   /// written: the fields that cost something are made too.
   StepRecord record(const NewtonResult& result, bool written);
@@ -116,6 +118,7 @@ class LoadStepper {
   Told told_;
   Passing passing_;
   int step_ = 0;
+  bool small_strain_doubted_ = false;
   int passes_ = 0;                       ///< of the step at hand
   std::optional<MotionRow> motion_;      ///< where the run may go on in time
   std::unique_ptr<HandOver> hand_over_;  ///< while the run goes on in time
