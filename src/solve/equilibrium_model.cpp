@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "perinox/body/extent.hpp"
 #include "perinox/core/sentence.hpp"
 
 namespace perinox::solve {
@@ -23,6 +24,7 @@ EquilibriumModel::EquilibriumModel(const mechanics::Scene& scene, const Boundary
     : scene_(scene),
       boundary_(boundary),
       system_(system),
+      reach_(body::diagonal(scene.body()) * std::sqrt(static_cast<double>(scene.body().total))),
       space_(Thyra::createVectorSpace<double, LocalIndex, GlobalId>(system.map())),
       force_(scene.owned_unknowns()) {}
 
@@ -63,7 +65,8 @@ std::string EquilibriumModel::not_finite() const {
 }
 
 double EquilibriumModel::rounding_floor() const {
-  return 64 * std::numeric_limits<double>::epsilon() * system_.stiffness_scale() * balance_.displacement;
+  return 64 * std::numeric_limits<double>::epsilon() * system_.stiffness_scale() *
+         std::min(balance_.displacement, reach_);
 }
 
 Thyra::ModelEvaluatorBase::InArgs<double> EquilibriumModel::createInArgs() const {

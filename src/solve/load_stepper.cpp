@@ -48,7 +48,6 @@ void LoadStepper::run(Observer& observer) {
   while (hand_over_ || !control_->finished()) {
     NewtonResult result;
     if (!advance(observer, result)) continue;
-    doubt_small_strain(observer);
     last_result_ = result;
     const bool last = control_->finished();
     StepRecord row = record(result, last || step_ % deck_.output.every == 0);
@@ -66,7 +65,9 @@ void LoadStepper::run(Observer& observer) {
 }
 
 bool LoadStepper::go_down(Observer& observer, double t, NewtonResult& result) {
-  if (deck_.steps.control != deck::Control::load || result.failure == Failure::not_finite) return false;
+  const bool unstable = result.failure == Failure::negative_curvature || result.failure == Failure::no_progress ||
+                        result.failure == Failure::linear_iterations;
+  if (deck_.steps.control != deck::Control::load || !deck_.steps.adaptive || !unstable) return false;
   observer.note(fmt::format("no stable equilibrium is near: goes down in energy at t = {:.6g}", t));
   mechanics::Trial trial;
   std::vector<double> force;
@@ -90,18 +91,15 @@ bool LoadStepper::go_down(Observer& observer, double t, NewtonResult& result) {
   return true;
 }
 
-void LoadStepper::doubt_small_strain(Observer& observer) {
-  if (!scene_.small_strain() || small_strain_doubted_) return;
-  double most = 0;
-  for (std::size_t u = 0; u < scene_.owned_unknowns(); ++u)
-    if (!boundary_.prescribed()[u]) most = std::max(most, std::abs(committed_.displacement()[u]));
-  small_strain_doubted_ = scene_.body().communicator.max(most) > 0.5 * body::diagonal(scene_.body());
-  if (small_strain_doubted_)
-    observer.note(
-        fmt::format("warning: at t = {:.6g} the body moves by more than half its size; deformation: small does not "
-                    "hold for that, or "
-                    "the load is beyond what the body carries",
-                    committed_.t()));
+bool LoadStepper::runs_away(const mechanics::Trial& trial) const {
+  if (!scene_.small_strain()) return false;
+  double free = 0, prescribed = 0;
+  for (std::size_t u = 0; u < scene_.owned_unknowns(); ++u) {
+    double& most = boundary_.prescribed()[u] ? prescribed : free;
+    most = std::max(most, std::abs(trial.displacement[u]));
+  }
+  const Communicator& ranks = scene_.body().communicator;
+  return ranks.max(free) > std::max(0.5 * body::diagonal(scene_.body()), 2 * ranks.max(prescribed));
 }
 
 void LoadStepper::begin_step() {
@@ -122,6 +120,14 @@ bool LoadStepper::advance(Observer& observer, NewtonResult& result) {
   mechanics::Trial trial;
   std::vector<double> force;
   result = control_->attempt(committed_, step_ + 1, observer, trial, force);
+  if (result.converged && runs_away(trial)) {
+    result.converged = false;
+    result.failure = Failure::other;
+    result.reason =
+        "the body moves by more than half its size, for which deformation: small does not hold: the load is beyond "
+        "what "
+        "it carries, or deformation: finite is needed";
+  }
   if (!result.converged) {
     const double tried = control_->tried();
     observer.step_rejected(committed_.t(), tried, result.reason);

@@ -113,6 +113,7 @@ void LoadStepper::save(StateWriter& writer) const {
   writer.particles("stepper/dilatation", dilatation_.data(), 1);
   writer.particles("stepper/stored_energy_density", stored_energy_.data(), 1);
   control_->save(writer);
+  newton_.save_remedies(writer);
   if (breaking_) save_fracture(writer);
   if (hand_over_) {
     save_phase(writer);
@@ -139,6 +140,7 @@ void LoadStepper::restore(StateReader& reader) {
   force_ = reader.particles("stepper/force", scene_.dimension());
   dilatation_ = reader.particles("stepper/dilatation", 1);
   stored_energy_ = reader.particles("stepper/stored_energy_density", 1);
+  newton_.restore_remedies(reader);
   if (breaking_)
     restore_fracture(reader);
   else if (!reader.has(phase))

@@ -19,6 +19,7 @@ bool NaturalLineSearch::compute(NOX::Abstract::Group& trial, double& step, const
   const NOX::Abstract::Group& before = solver.getPreviousSolutionGroup();
   const double residual = before.getNormF(), length = direction.norm();
   for (step = 1; step >= shortest; step *= 0.5) {
+    if (step * length > reach_) continue;
     trial.computeX(before, direction, step);
     if (trial.computeF() != NOX::Abstract::Group::Ok) continue;
     const double now = trial.getNormF();

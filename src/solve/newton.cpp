@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "perinox/body/extent.hpp"
 #include "perinox/solve/energy_descent.hpp"
 #include "perinox/solve/equilibrium_model.hpp"
 #include "perinox/solve/equilibrium_test.hpp"
@@ -98,19 +97,24 @@ void Newton::bonds_changed(bool supports_too) {
 void Newton::save(StateWriter& writer) const {
   writer.number("newton/iterations_when_made", parts_->iterations_when_made);
   writer.number("newton/last_iterations", parts_->last_iterations);
-  writer.integer("newton/careful", careful_ ? 1 : 0);
-  writer.integer("newton/in_vain", in_vain_ ? 1 : 0);
-  writer.integer("newton/direct", direct_ ? 1 : 0);
   parts_->system.save(writer);
 }
 
-void Newton::restore(StateReader& reader) {
-  const auto flag = [&](const char* name) { return reader.has(name) && reader.integer(name) != 0; };
-  careful_ = flag("newton/careful");
-  in_vain_ = flag("newton/in_vain");
-  direct_ = flag("newton/direct");
+void Newton::save_remedies(StateWriter& writer) const {
+  writer.integer("newton/careful", careful_ ? 1 : 0);
+  writer.integer("newton/in_vain", in_vain_ ? 1 : 0);
+  writer.integer("newton/direct", direct_ ? 1 : 0);
+}
+
+void Newton::restore_remedies(StateReader& reader) {
+  careful_ = reader.integer("newton/careful") != 0;
+  in_vain_ = reader.integer("newton/in_vain") != 0;
+  direct_ = reader.integer("newton/direct") != 0;
   if (direct_) make_parts();
   set_tolerance();
+}
+
+void Newton::restore(StateReader& reader) {
   if (reader.has("newton/last_iterations")) {
     parts_->iterations_when_made = reader.number("newton/iterations_when_made");
     parts_->last_iterations = reader.number("newton/last_iterations");
@@ -259,7 +263,7 @@ NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, in
   const RCP<Thyra::PreconditionerFactoryBase<double>> no_factory;
   auto group = rcp(
       new NOX::Thyra::Group(initial, p.model, p.model->create_W_op(), p.factory, p.model->create_W_prec(), no_factory));
-  const auto natural = rcp(new NaturalLineSearch(*p.model, *p.factory));
+  const auto natural = rcp(new NaturalLineSearch(*p.model, *p.factory, p.model->reach()));
   auto parameters = p.nox_parameters(natural);
   auto test = rcp(new EquilibriumTest(*p.model, committed, p.solver, step, t, observer,
                                       parameters->sublist("Direction").sublist("Newton").sublist("Linear Solver")));
@@ -323,8 +327,7 @@ NewtonResult Newton::descend(const mechanics::Committed& committed, double t, in
   std::vector<double> x(committed.displacement().begin(),
                         committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.scene.owned_unknowns()));
   p.boundary.impose(t, x.data());
-  const double reach = body::diagonal(p.scene.body()) * std::sqrt(static_cast<double>(p.scene.body().total));
-  result = EnergyDescent(p.solver, p.boundary, p.system, *p.model, *p.factory, reach)
+  result = EnergyDescent(p.solver, p.boundary, p.system, *p.model, *p.factory, p.model->reach())
                .run(committed, p.external, t, step, observer, x);
   if (!result.converged) return result;
   trial = std::move(p.model->trial());

@@ -110,7 +110,8 @@ const Mistake mistakes_in_decks[] = {
      "position-aware or surface-energy"},
     {"unknown_field", &base_deck, "[displacement, force]", "[displacement, heat]",
      "deck.yaml:28:43: an entry of fields cannot be 'heat'; it can be displacement, force, dilatation, damage, "
-     "stored_energy, weighted_volume, stress, strain, von_mises_stress, plastic_work, velocity, plastic_multiplier, "
+     "stored_energy, weighted_volume, stress, strain, von_mises_stress, plastic_work, velocity, fragment, "
+     "plastic_multiplier, "
      "equivalent_plastic_strain or plastic_strain_zz"},
     {"unknown_material", &base_deck, "material: steel", "material: stele",
      "deck.yaml:7:15: stele is not the name of a material; did you mean steel?"},

@@ -163,7 +163,7 @@ const Mistake mistakes[] = {
      "model cannot be 'elastic-plastik'; did you mean elastic-plastic?"},
     {"unknown_field", base, "[displacement, force]", "[displacement, heat]", "28:43",
      "an entry of fields cannot be 'heat'; it can be displacement, force, dilatation, damage, stored_energy, "
-     "weighted_volume, stress, strain, von_mises_stress, plastic_work, velocity, plastic_multiplier or "
+     "weighted_volume, stress, strain, von_mises_stress, plastic_work, velocity, fragment, plastic_multiplier or "
      "equivalent_plastic_strain"},
     {"facing_of_a_force", base, "displacement: {z: \"0.3*t\"}", "force: {z: 1}\n    facing: [0, 0, 1]", "24:13",
      "facing chooses faces of the surface and goes with traction or pressure only; remove it"},

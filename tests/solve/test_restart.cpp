@@ -24,13 +24,11 @@ void restart_after_every_step(const deck::Deck& deck) {
           << "step " << k + 1 << " of the run that went on after step " << step;
     EXPECT_TRUE(rest.displacement == whole.displacement) << "restart after step " << step;
     EXPECT_TRUE(rest.force == whole.force) << "restart after step " << step;
-    for (const auto& row : rest.records.iterations) {
-      const auto same = std::find_if(
-          whole.records.iterations.begin(), whole.records.iterations.end(),
-          [&](const auto& r) { return r.step == row.step && r.t == row.t && r.iteration == row.iteration; });
-      ASSERT_NE(same, whole.records.iterations.end());
-      EXPECT_EQ(row.residual, same->residual) << "step " << row.step << " iteration " << row.iteration;
-    }
+    std::vector<double> residuals, same;
+    for (const auto& row : rest.records.iterations) residuals.push_back(row.residual);
+    for (const auto& row : whole.records.iterations)
+      if (row.step > step) same.push_back(row.residual);
+    EXPECT_EQ(residuals, same) << "Newton iterations of the run that went on after step " << step;
   }
 }
 

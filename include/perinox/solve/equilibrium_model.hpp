@@ -27,8 +27,11 @@ class EquilibriumModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   std::string not_finite() const;
   /// Element-wise sums over the ranks, in place.
   void sum(std::vector<double>& values) const { scene_.body().communicator.sum(values); }
-  /// Residual below which nothing but rounding is left: force.
+  /// Residual below which nothing but rounding is left: force. A displacement larger than the body does not raise it: a
+  /// body that runs away is in no equilibrium.
   double rounding_floor() const;
+  /// 2-norm of a displacement of the body's own size; a step beyond it makes no sense.
+  double reach() const { return reach_; }
 
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_x_space() const override { return space_; }
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_f_space() const override { return space_; }
@@ -45,6 +48,7 @@ class EquilibriumModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   const mechanics::Scene& scene_;
   const Boundary& boundary_;
   TangentSystem& system_;
+  double reach_;  ///< 2-norm of a displacement of the body's own size
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> space_;
   const mechanics::Committed* committed_ = nullptr;
   const std::vector<double>* external_ = nullptr;

@@ -68,8 +68,9 @@ class LoadStepper {
  private:
   std::unique_ptr<StepControl> make_control();
   void begin_step();
-  /// Tells once that displacements have outgrown `deformation: small`.
-  void doubt_small_strain(Observer& observer);
+  /// True where what is free has moved farther than `deformation: small` can mean: half the body, and not because it
+  /// was prescribed.
+  bool runs_away(const mechanics::Trial& trial) const;
   void commit(mechanics::Trial&& trial, std::vector<double>&& force);
   /// written: the fields that cost something are made too.
   StepRecord record(const NewtonResult& result, bool written);
@@ -118,7 +119,6 @@ class LoadStepper {
   Told told_;
   Passing passing_;
   int step_ = 0;
-  bool small_strain_doubted_ = false;
   int passes_ = 0;                       ///< of the step at hand
   std::optional<MotionRow> motion_;      ///< where the run may go on in time
   std::unique_ptr<HandOver> hand_over_;  ///< while the run goes on in time

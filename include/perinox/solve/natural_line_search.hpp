@@ -14,8 +14,9 @@ namespace perinox::solve {
 /// It costs a linear solve to a tenth, and only where the residual has risen. Collective.
 class NaturalLineSearch : public NOX::LineSearch::Generic {
  public:
-  NaturalLineSearch(const EquilibriumModel& model, const LinearSolverFactory& factory)
-      : model_(model), factory_(factory) {}
+  /// reach: no step is longer (2-norm of the displacement).
+  NaturalLineSearch(const EquilibriumModel& model, const LinearSolverFactory& factory, double reach)
+      : model_(model), factory_(factory), reach_(reach) {}
 
   bool compute(NOX::Abstract::Group& trial, double& step, const NOX::Abstract::Vector& direction,
                const NOX::Solver::Generic& solver) override;
@@ -28,6 +29,7 @@ class NaturalLineSearch : public NOX::LineSearch::Generic {
 
   const EquilibriumModel& model_;
   const LinearSolverFactory& factory_;
+  double reach_;
   int linear_iterations_ = 0;
 };
 

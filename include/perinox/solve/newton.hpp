@@ -73,6 +73,9 @@ class Newton {
   /// "tangent/bonds_broken". Collective.
   void save(StateWriter& writer) const;
   void restore(StateReader& reader);
+  /// Which better linear solves have come to be used. To be restored before anything else here.
+  void save_remedies(StateWriter& writer) const;
+  void restore_remedies(StateReader& reader);
 
   const TangentSystem& system() const;
   TangentSystem& system();
