@@ -88,6 +88,10 @@ std::string check_path(const Node& node, const std::string& name, const std::str
   if (fs::is_directory(path, error)) {
     refuse(node.location, fmt::format("{} ({}) is a folder; name a file", path.string(), name));
   }
+  // A device or a pipe may never end.
+  if (!fs::is_regular_file(path, error)) {
+    refuse(node.location, fmt::format("{} ({}) is neither a file nor a link to one; name a file", path.string(), name));
+  }
   if (!std::ifstream(path)) {
     refuse(node.location, fmt::format("the file {} ({}) cannot be opened; check its permissions", path.string(), name));
   }

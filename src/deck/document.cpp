@@ -12,11 +12,13 @@ namespace perinox::deck {
 namespace {
 
 constexpr int deepest = 60;
-constexpr std::size_t most_nodes = 2'000'000;
+/// A value takes a character at least where it is written; only aliases make more of them. So many more are let be.
+constexpr std::size_t most_from_aliases = 10'000;
 
 class TreeBuilder {
  public:
-  explicit TreeBuilder(const std::string& file) : file_(file) {}
+  TreeBuilder(const std::string& file, std::size_t characters)
+      : file_(file), most_nodes_(characters + most_from_aliases) {}
 
   Node build(const YAML::Node& yaml, const Location& around, int depth) {
     Node node;
@@ -25,10 +27,10 @@ class TreeBuilder {
       refuse(node.location,
              fmt::format("lists and maps are nested more than {} deep here; a deck never needs that", deepest));
     }
-    if (++nodes_ > most_nodes) {
-      refuse(
-          node.location,
-          fmt::format("the deck has more than {} values (aliases written out); put large data in a file", most_nodes));
+    if (++nodes_ > most_nodes_) {
+      refuse(node.location, fmt::format("the aliases (*name) stand for more than {} values when they are written out; "
+                                        "put large data in a file",
+                                        most_from_aliases));
     }
     if (yaml.IsScalar()) {
       node.kind = Node::Kind::scalar;
@@ -61,6 +63,7 @@ class TreeBuilder {
   }
 
   std::string file_;
+  std::size_t most_nodes_;
   std::size_t nodes_ = 0;
 };
 
@@ -187,7 +190,7 @@ const Node* Node::find(const std::string& key) const {
 Node parse_yaml(const std::string& yaml, const std::string& file) {
   try {
     refuse_second_document(yaml, file);
-    return TreeBuilder(file).build(YAML::Load(yaml), {file, 1, 1}, 0);
+    return TreeBuilder(file, yaml.size()).build(YAML::Load(yaml), {file, 1, 1}, 0);
   } catch (const YAML::DeepRecursion& error) {
     refuse({file, error.mark.line + 1, error.mark.column + 1}, "lists and maps are nested far too deep here");
   } catch (const YAML::Exception& error) {

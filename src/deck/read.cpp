@@ -4,7 +4,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "check.hpp"
 #include "convert.hpp"
@@ -14,6 +13,8 @@
 namespace perinox::deck {
 namespace {
 
+constexpr std::size_t longest_file = 64 << 20;
+
 std::string content_of(const std::string& file, const std::string& kind) {
   namespace fs = std::filesystem;
   const Location where{file, 0, 0};
@@ -22,12 +23,17 @@ std::string content_of(const std::string& file, const std::string& kind) {
   if (fs::is_directory(file, error)) refuse(where, "this is a folder; name the " + kind + " file in it");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+  std::string text;
+  std::vector<char> piece(1 << 16);
+  while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())), stream.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > longest_file)  // a device never ends
+      refuse(where, "the " + kind + " is longer than 64 MB; put large data in a file of its own");
+  }
   if (!stream.is_open() || stream.bad()) {
     refuse(where, "the " + kind + " cannot be read (" + std::strerror(errno) + "); check its permissions");
   }
-  return text.str();
+  return text;
 }
 
 /// A deck without a title is called by its file's name.
