@@ -12,6 +12,7 @@
 #include "perinox/body/neighbor_count.hpp"
 #include "perinox/body/neighbor_search.hpp"
 #include "perinox/body/partition.hpp"
+#include "perinox/body/size.hpp"
 #include "perinox/body/spacing.hpp"
 #include "perinox/body/together.hpp"
 
@@ -148,11 +149,6 @@ void append(Body& body, const std::vector<Particle>& particles, const std::vecto
 
 }  // namespace
 
-deck::Point Body::position3(LocalIndex i) const {
-  const double* x = position(i);
-  return {x[0], x[1], dimension == 3 ? x[2] : 0.0};
-}
-
 Body build(const deck::Deck& deck, const Communicator& communicator, double reach, PartitionReport* report) {
   const double spacing = largest_spacing(deck, communicator);
   if (!(reach > 0) || !std::isfinite(reach)) throw std::logic_error("the reach of a body must be a positive length");
@@ -162,7 +158,14 @@ Body build(const deck::Deck& deck, const Communicator& communicator, double reac
   body.reach = reach;
   const std::vector<int> materials = material_indices(deck);
 
-  const Share share = distribute(deck, make_particles(deck, communicator), reach, body.dimension, communicator);
+  const double memory = machine_memory(communicator);
+  refuse_too_large(deck, reach, spacing, memory);
+  std::vector<Particle> particles = make_particles(deck, communicator);
+  double volume = 0;
+  for (const Particle& particle : particles) volume += particle.volume;
+  const auto count = static_cast<double>(communicator.sum(static_cast<long long>(particles.size())));
+  refuse_too_many_bonds(deck, reach, count, communicator.sum(volume) / count, memory);
+  const Share share = distribute(deck, std::move(particles), reach, body.dimension, communicator);
   body.owned = static_cast<int>(share.owned.size());
   body.ghosts = static_cast<int>(share.ghosts.size());
   body.total = communicator.sum(static_cast<long long>(body.owned));

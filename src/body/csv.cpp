@@ -42,12 +42,11 @@ std::string read_file(const std::string& path, const deck::Location& asked_at, c
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) refuse(std::strerror(errno));
   std::string text;
-  for (std::size_t size = 0;;) {
-    constexpr std::size_t kPiece = 1 << 22;
-    text.resize(size + kPiece);
-    const std::size_t got = std::fread(&text[size], 1, kPiece, file.get());
+  for (std::size_t size = 0, piece = 1 << 14;; piece = std::max(piece, size)) {
+    text.resize(size + piece);
+    const std::size_t got = std::fread(&text[size], 1, piece, file.get());
     size += got;
-    if (got == kPiece) continue;
+    if (got == piece) continue;
     if (std::ferror(file.get())) refuse(std::strerror(errno));
     text.resize(size);
     return text;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "perinox/body/shape.hpp"
+#include "perinox/body/size.hpp"
 #include "perinox/body/together.hpp"
 
 namespace perinox::body {
@@ -15,6 +16,7 @@ Lattice::Lattice(const deck::BodyPart& part, int dimension_) : first{}, spacing(
     deck::refuse(part.location,
                  fmt::format("the body {} needs a spacing greater than 0, but has {:g}", part.name, spacing));
   }
+  refuse_odd_length(spacing, part.location, "the body " + part.name);
   const Bounds box = bounds(part.shape);
   std::array<double, 3> count{1, 1, 1};
   for (int axis = 0; axis < dimension; ++axis) {

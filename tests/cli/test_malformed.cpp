@@ -146,6 +146,12 @@ const Mistake mistakes_in_decks[] = {
     {"too_many_particles", &base_deck, "spacing: 1.0", "spacing: 1.0e-6",
      "deck.yaml:5:12: the body block would have about 3.6e+19 particles at spacing 1e-06, more than 2e+09; make "
      "the spacing larger, or check that spacing and shape are in the same unit"},
+    {"horizon_of_a_million_spacings", &base_deck, "ratio: 2.015", "ratio: 1e6",
+     "deck.yaml:8:10: the horizon reaches 1e+06 spacings of 1 far, more than 100: each particle could have about "
+     "4.2e+18 neighbours; make it smaller, 3 spacings are usual"},
+    {"spacing_beyond_double_precision", &base_deck, "spacing: 1.0", "spacing: 1e-300",
+     "deck.yaml:4:5: the spacing 1e-300 of the body block is out of what double precision can compute with; choose "
+     "units in which it lies between 1e-50 and 1e+50"},
     {"bodies_that_overlap", &base_deck, "horizon:",
      "  - {name: twin, shape: {box: {min: [0, 0, 3], max: [3, 3, 5]}}, spacing: 1, material: steel}\nhorizon:",
      "deck.yaml:8:5: particles 27 and 36 are in the same place (0.5, 0.5, 3.5); take one of them out, or move the "
