@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include "checkpoint_seal.hpp"
 #include "perinox/core/error.hpp"
@@ -58,15 +59,21 @@ CheckpointHead read_checkpoint_head(const std::string& path, const Communicator&
                       path, hexadecimal(found), hexadecimal(look[1])));
     const ParallelFile file(path, communicator, ParallelFile::Mode::read);
     CheckpointHead head;
-    head.step = static_cast<int>(file.integer_attribute("/", "step"));
+    const auto count = [&](const char* name, long long most = std::numeric_limits<long long>::max()) {
+      const long long value = file.integer_attribute("/", name);
+      if (value < 0 || value > most) throw InputError(fmt::format("{} is damaged: its {} is {}", path, name, value));
+      return value;
+    };
+    constexpr long long most_steps = std::numeric_limits<int>::max();
+    head.step = static_cast<int>(count("step", most_steps));
     head.t = file.number_attribute("/", "t");
     head.deck = file.text_attribute("/", "deck");
     head.perinox_version = file.text_attribute("/", "perinox_version");
-    head.ranks = file.integer_attribute("/", "ranks");
-    head.history_bytes = file.integer_attribute("/", "history_bytes");
-    head.convergence_bytes = file.integer_attribute("/", "convergence_bytes");
-    head.phases = file.integer_attribute("/", "phases");
-    head.attempt = file.integer_attribute("/", "attempt");
+    head.ranks = count("ranks");
+    head.history_bytes = count("history_bytes");
+    head.convergence_bytes = count("convergence_bytes");
+    head.phases = count("phases", most_steps);
+    head.attempt = count("attempt", most_steps);
     return head;
   });
 }

@@ -30,7 +30,7 @@ std::string add_share(const std::string& path, std::uint64_t begin, std::uint64_
                       std::uint64_t& sum) {
   const int file = ::open(path.c_str(), O_RDONLY);
   if (file < 0) return fmt::format("{} cannot be read: {}", path, std::strerror(errno));
-  std::vector<char> buffer(buffer_bytes);
+  std::vector<char> buffer(static_cast<std::size_t>(std::min<std::uint64_t>(end - begin, buffer_bytes)));
   std::string failure;
   while (begin < end && failure.empty()) {
     const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(end - begin, buffer_bytes));

@@ -1,5 +1,6 @@
 #include "perinox/output/parallel_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -38,6 +39,13 @@ Handle mpi_access(MPI_Comm comm) {
   const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_fapl_mpio(list, comm, MPI_INFO_NULL);
   return {list, H5Pclose};
+}
+
+/// H5Aread fills as much as the file says there is, whatever room there is for it.
+bool holds_one(const Handle& attribute) {
+  if (attribute.failed()) return false;
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  return H5Sget_simple_extent_npoints(space) == 1;
 }
 
 /// HDF5 text: UTF-8 of any length, ended by a zero.
@@ -173,6 +181,14 @@ void ParallelFile::write_part(const std::string& dataset, const std::vector<doub
   agree(failed, "could not be written, dataset " + dataset);
 }
 
+GlobalId ParallelFile::list_size(const std::string& dataset) const {
+  const Silence silence;
+  const Handle list(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
+  agree(list.failed(), "has no dataset " + dataset);
+  const Handle space(H5Dget_space(list), H5Sclose);
+  return H5Sget_simple_extent_ndims(space) == 1 ? H5Sget_simple_extent_npoints(space) : -1;
+}
+
 std::vector<double> ParallelFile::read_part(const std::string& dataset, GlobalId first, std::size_t count) const {
   const Silence silence;
   std::vector<double> values(count);
@@ -222,7 +238,7 @@ void ParallelFile::read_attribute(const std::string& object, const std::string& 
                                   void* value) const {
   const Silence silence;
   const Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  agree(attribute.failed() || H5Aread(attribute, type, value) < 0, "has no number " + name + " at " + object);
+  agree(!holds_one(attribute) || H5Aread(attribute, type, value) < 0, "has no number " + name + " at " + object);
 }
 
 bool ParallelFile::has_attribute(const std::string& object, const std::string& name) const {
@@ -242,14 +258,29 @@ double ParallelFile::number_attribute(const std::string& object, const std::stri
   return value;
 }
 
-std::string ParallelFile::text_attribute(const std::string& object, const std::string& name) const {
+std::vector<std::string> ParallelFile::texts_attribute(const std::string& object, const std::string& name) const {
   const Silence silence;
   const Handle attribute(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  char* read = nullptr;
-  agree(attribute.failed() || H5Aread(attribute, text_type(), &read) < 0, "has no text " + name + " at " + object);
-  std::string text = read == nullptr ? "" : read;
-  H5free_memory(read);
-  return text;
+  agree(attribute.failed(), "has no text " + name + " at " + object);
+  const Handle space(H5Aget_space(attribute), H5Sclose);
+  std::vector<char*> read(static_cast<std::size_t>(std::max<hssize_t>(H5Sget_simple_extent_npoints(space), 0)),
+                          nullptr);
+  const bool failed = !read.empty() && H5Aread(attribute, text_type(), read.data()) < 0;
+  std::vector<std::string> texts;
+  for (char* const text : read) {
+    texts.emplace_back(text == nullptr ? "" : text);
+    H5free_memory(text);
+  }
+  agree(failed, "has no text " + name + " at " + object);
+  return texts;
+}
+
+std::string ParallelFile::text_attribute(const std::string& object, const std::string& name) const {
+  const std::vector<std::string> texts = texts_attribute(object, name);
+  agree_on_run_error(communicator_, texts.size() == 1 ? std::string()
+                                                      : path_ + " has no text " + name + " at " + object + ": it has " +
+                                                            std::to_string(texts.size()) + " in place of one");
+  return texts.front();
 }
 
 void ParallelFile::close() {

@@ -1,7 +1,12 @@
 #include "perinox/output/row_lists.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
 #include <numeric>
+
+#include "perinox/output/agree.hpp"
 
 namespace perinox::output {
 
@@ -103,8 +108,29 @@ void RowLists::write(ParallelFile& file, const std::string& name, const std::vec
   }
 }
 
+void RowLists::refuse_unfit(const ParallelFile& file, const std::string& name,
+                            const std::vector<int>& row_count) const {
+  GlobalId all = 0, in_portion = 0;
+  bool sound = true;
+  for (std::size_t row = 0; row < row_count.size(); ++row) {
+    if (row % static_cast<std::size_t>(rows_a_portion_) == 0) in_portion = 0;
+    in_portion += row_count[row];
+    all += row_count[row];
+    // A portion's numbers are counted in int, as MPI does.
+    sound = sound && row_count[row] >= 0 && in_portion <= std::numeric_limits<int>::max();
+  }
+  const GlobalId there = file.list_size(name + "/values");
+  const GlobalId wanted = communicator_.sum(all);
+  sound = !communicator_.any(!sound) && wanted == there;
+  agree_on_run_error(communicator_, sound ? std::string()
+                                          : fmt::format("{} does not hold the lists {}: their lengths do not add up to "
+                                                        "the {} numbers that are there",
+                                                        file.path(), name, std::max(there, GlobalId{0})));
+}
+
 std::vector<int> RowLists::read_counts(const ParallelFile& file, const std::string& name) const {
   const std::vector<int> rows = file.read_integers(name + "/count", order_.total(), order_.first_row(), order_.rows());
+  refuse_unfit(file, name, rows);
   const std::vector<double> numbers(rows.begin(), rows.end());
   const std::vector<double> owned = order_.to_owners(numbers.data(), 1);
   std::vector<int> count;

@@ -4,6 +4,7 @@
 
 #include "perinox/output/checkpoint.hpp"
 #include "perinox/output/checksum.hpp"
+#include "perinox/output/parallel_file.hpp"
 #include "support/bodies.hpp"
 #include "support/restarts.hpp"
 
@@ -142,6 +143,42 @@ TEST(Checksum, SharesAddUp) {
   std::string swapped = text;
   std::swap_ranges(swapped.begin(), swapped.begin() + 8, swapped.begin() + 8);
   EXPECT_NE(checksum(swapped.data(), swapped.size()), all);
+}
+
+TEST(Checkpoint, ManyNumbersInThePlaceOfOneAreRefused) {
+  const Written written;
+  {
+    ParallelFile file(written.path, written.alone, ParallelFile::Mode::append);
+    file.set_attribute("/a", "texts", std::vector<std::string>{"a", "b", "c"});
+  }
+  // Reading them would have filled the stack behind the one place there is.
+  const CheckpointReader reader(written.path, written.body);
+  EXPECT_THAT(refusal([&] { reader.text("a/texts"); }), HasSubstr("has no text texts at /a"));
+}
+
+TEST(Checkpoint, ListsWhoseLengthsDoNotFitAreRefused) {
+  const Written written;
+  const std::vector<int> negative = [] {
+    std::vector<int> all(64, 0);
+    all[0] = -1;
+    all[1] = 1;
+    return all;
+  }();
+  {
+    ParallelFile file(written.path, written.alone, ParallelFile::Mode::append);
+    for (const char* name : {"/negative", "/huge"}) file.make_group(name);
+    file.write_rows("/negative/count", negative, 64, 0);
+    file.make_list("/negative/values", 0);
+    file.write_rows("/huge/count", std::vector<int>(64, 2147483647), 64, 0);
+    file.make_list("/huge/values", 8);
+  }
+  const CheckpointReader reader(written.path, written.body);
+  for (const char* name : {"negative", "huge"}) {
+    EXPECT_THAT(refusal([&] { reader.list_counts(name); }), HasSubstr("do not add up to the")) << name;
+    EXPECT_THAT(refusal([&] { reader.lists(name, [](const auto&, const auto&) {}); }),
+                HasSubstr("do not add up to the"))
+        << name;
+  }
 }
 
 }  // namespace

@@ -22,6 +22,7 @@ class ParallelFile {
   ParallelFile(const ParallelFile&) = delete;
   ParallelFile& operator=(const ParallelFile&) = delete;
 
+  const std::string& path() const { return path_; }
   void make_group(const std::string& name);
   bool has(const std::string& name) const;
   /// A group or dataset with all that is in it; the room it took stays in the file.
@@ -40,6 +41,8 @@ class ParallelFile {
   /// A list [total] that is written and read in portions: this rank's values begin at `first`; a rank may have none.
   void make_list(const std::string& dataset, GlobalId total);
   void write_part(const std::string& dataset, const std::vector<double>& values, GlobalId first);
+  /// Its length; -1 if the dataset is no list.
+  GlobalId list_size(const std::string& dataset) const;
   std::vector<double> read_part(const std::string& dataset, GlobalId first, std::size_t count) const;
 
   /// Attribute of a group or dataset ("/" is the file itself). The same value on every rank.
@@ -50,6 +53,8 @@ class ParallelFile {
   bool has_attribute(const std::string& object, const std::string& name) const;
   GlobalId integer_attribute(const std::string& object, const std::string& name) const;
   double number_attribute(const std::string& object, const std::string& name) const;
+  std::vector<std::string> texts_attribute(const std::string& object, const std::string& name) const;
+  /// Of exactly one text.
   std::string text_attribute(const std::string& object, const std::string& name) const;
 
   /// Everything is on disk and the file is closed when this returns. Without it the destructor closes, silently.

@@ -24,13 +24,15 @@ class RowLists {
   /// Collective. Throws RunError if the disk refuses.
   void write(ParallelFile& file, const std::string& name, const std::vector<int>& count,
              const StateWriter::Source& source) const;
-  /// [owned]
+  /// [owned] Throws RunError if the lengths cannot be those of the lists in the file.
   std::vector<int> read_counts(const ParallelFile& file, const std::string& name) const;
   void read(const ParallelFile& file, const std::string& name, const StateReader::Sink& sink) const;
 
  private:
   /// How one portion of lists goes between the ranks that own the particles and those that hold the rows.
   struct Portion;
+  /// row_count: [rows] as the file has them. Collective.
+  void refuse_unfit(const ParallelFile& file, const std::string& name, const std::vector<int>& row_count) const;
   Portion plan(int number, const std::vector<int>& owner_count, const std::vector<int>& row_count) const;
 
   Communicator communicator_;
