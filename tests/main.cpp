@@ -3,9 +3,18 @@
 #include <mpi.h>
 
 #include <Tpetra_Core.hpp>
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/lsan_interface.h>
+#endif
 
 int main(int argc, char** argv) {
+#ifdef __SANITIZE_ADDRESS__
+  __lsan_disable();  // of what MPI loads and unloads while it starts, no name is left
+#endif
   const Tpetra::ScopeGuard guard(&argc, &argv);
+#ifdef __SANITIZE_ADDRESS__
+  __lsan_enable();
+#endif
   ::testing::InitGoogleTest(&argc, argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -14,6 +23,11 @@ int main(int argc, char** argv) {
     delete listeners.Release(listeners.default_result_printer());
   }
   int failed = RUN_ALL_TESTS();
+#ifdef __SANITIZE_ADDRESS__
+  // While MPI's components are still loaded, so that what they keep has names (fuzz/leaks.supp). scripts/sanitize.sh turns
+  // the look at the end off.
+  if (__lsan_do_recoverable_leak_check() != 0) failed = 1;
+#endif
   int failed_anywhere = 0;
   MPI_Allreduce(&failed, &failed_anywhere, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   return failed_anywhere;
