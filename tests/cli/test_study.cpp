@@ -186,7 +186,7 @@ TEST(Study, ARunThatStopsShortIsARow) {
   const Folder folder;
   folder.write("strip.yaml", strip);
   folder.write("study.yaml",
-               "title: strip\ndeck: strip.yaml\nset: {steps.adaptive: false}\n"
+               "title: strip\ndeck: strip.yaml\nset: {steps.adaptive: false, solver.newton.tolerance: 1e-11}\n"
                "sweep: [{key: solver.newton.max_iterations, values: [1, 6]}]\n"
                "measures: [{name: F, history: pull}]\n");
   const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r"});
