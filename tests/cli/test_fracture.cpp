@@ -4,6 +4,7 @@
 
 #include "decks.hpp"
 #include "program.hpp"
+#include "support/breaking_decks.hpp"
 
 namespace perinox::cli {
 namespace {
@@ -13,21 +14,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-const std::string snapping_bar = R"(dimension: plane-stress
-body: [{name: bar, shape: {box: {min: [0, 0], max: [24, 6]}}, spacing: 1, material: brittle}]
-horizon: {ratio: 2.015}
-cracks: [{segment: {start: [12, 0], end: [12, 2]}}]
-materials:
-  brittle: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, density: 1.0e-9, damage: {energy_release_rate: 0.05}}
-sets: {wall: {where: "x < 3"}, pulled: {where: "x > 21"}}
-boundary:
-  - {set: wall, displacement: {x: 0, y: 0}}
-  - {set: pulled, force: {x: "60*t"}}
-fracture: {unbreakable: [wall, pulled]}
-steps: {end: 0.25, count: 5}
-output: {every: 2, fields: [displacement, damage]}
-history: [{name: stretch, displacement: pulled, component: x}]
-)";
+const std::string snapping_bar =
+    testing::snapping_bar_of("2.015", "{end: 0.25, count: 5}") + "output: {every: 2, fields: [displacement, damage]}\n";
 
 TEST(Fracture, WithoutAFallbackTheRunStopsWithStatus1) {
   const Folder folder;

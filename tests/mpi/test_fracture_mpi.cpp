@@ -4,6 +4,7 @@
 #include <fstream>
 #include <random>
 
+#include "support/breaking_decks.hpp"
 #include "support/fracture.hpp"
 #include "support/motion.hpp"
 #include "support/shuffled_body.hpp"
@@ -153,44 +154,13 @@ steps: {end: 0.8, count: 16}
 }
 
 TEST(FractureRanks, ABarThatSnapsAndComesToRest) {
-  compare(deck_of(R"(
-dimension: plane-stress
-body: [{name: bar, shape: {box: {min: [0, 0], max: [24, 6]}}, spacing: 1, material: brittle}]
-horizon: {ratio: 2.015}
-cracks: [{segment: {start: [12, 0], end: [12, 2]}}]
-materials:
-  brittle: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, density: 1.0e-9, damage: {energy_release_rate: 0.05}}
-sets: {wall: {where: "x < 3"}, pulled: {where: "x > 21"}}
-boundary:
-  - {set: wall, displacement: {x: 0, y: 0}}
-  - {set: pulled, force: {x: "60*t"}}
-fracture: {unbreakable: [wall, pulled]}
-steps: {end: 0.25, count: 5}
-)"),
-          "bar that snaps", 15, "a piece of 72 particles, the first of them 12, has lost all support");
+  compare(deck_of(snapping_bar_of("2.015", "{end: 0.25, count: 5}")), "bar that snaps", 15,
+          "a piece of 72 particles, the first of them 12, has lost all support");
 }
 
 TEST(FractureRanks, APieceThatComesLoose) {
-  compare(deck_of(R"(
-dimension: plane-stress
-body:
-  - {name: left, shape: {box: {min: [0, 0], max: [4, 6]}}, spacing: 1, material: strong}
-  - {name: one, shape: {box: {min: [4, 0], max: [6, 6]}}, spacing: 1, material: weak}
-  - {name: middle, shape: {box: {min: [6, 0], max: [12, 6]}}, spacing: 1, material: strong}
-  - {name: other, shape: {box: {min: [12, 0], max: [14, 6]}}, spacing: 1, material: weak}
-  - {name: right, shape: {box: {min: [14, 0], max: [18, 6]}}, spacing: 1, material: strong}
-horizon: {ratio: 2.015}
-materials:
-  strong: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3}
-  weak: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, damage: {critical_stretch: 0.004}}
-sets: {wall: {where: "x < 2"}, grip: {where: "x > 16"}}
-boundary:
-  - {set: wall, displacement: {x: 0, y: 0}}
-  - {set: grip, displacement: {x: "0.8*t", y: 0}}
-fracture: {pass_share: 0.5}
-steps: {end: 0.5, count: 4}
-)"),
-          "chain torn apart", 100, "a piece of 36 particles, the first of them 36, has lost all support");
+  compare(deck_of(torn_chain, {"steps.end=0.5", "steps.count=4"}), "chain torn apart", 100,
+          "a piece of 36 particles, the first of them 36, has lost all support");
 }
 
 /// In explicit motion, every time step: a bar that hits a wall and spalls.

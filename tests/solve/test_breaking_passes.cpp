@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "perinox/solve/bond_breaking.hpp"
+#include "support/breaking_decks.hpp"
 #include "support/broken.hpp"
 #include "support/fracture.hpp"
 #include "support/measured.hpp"
@@ -138,31 +139,8 @@ TEST(Passes, TooManyStopTheRun) {
   EXPECT_EQ(run.records.stopped_after, 7);  // the state in which it was lost, under its own number
 }
 
-/// A chain of three strong parts and two weak ones, torn apart: both weak parts break alike, and what is between them
-/// is taken out where it is.
-TEST(Passes, APieceThatComesLooseIsTakenOut) {
-  const FractureRun run(deck_of(R"(
-dimension: plane-stress
-body:
-  - {name: left, shape: {box: {min: [0, 0], max: [4, 6]}}, spacing: 1, material: strong}
-  - {name: one, shape: {box: {min: [4, 0], max: [6, 6]}}, spacing: 1, material: weak}
-  - {name: middle, shape: {box: {min: [6, 0], max: [12, 6]}}, spacing: 1, material: strong}
-  - {name: other, shape: {box: {min: [12, 0], max: [14, 6]}}, spacing: 1, material: weak}
-  - {name: right, shape: {box: {min: [14, 0], max: [18, 6]}}, spacing: 1, material: strong}
-horizon: {ratio: 2.015}
-materials:
-  strong: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3}
-  weak: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, damage: {critical_stretch: 0.004}}
-sets: {wall: {where: "x < 2"}, grip: {where: "x > 16"}}
-boundary:
-  - {set: wall, displacement: {x: 0, y: 0}}
-  - {set: grip, displacement: {x: "0.8*t", y: 0}}
-fracture: {pass_share: 0.5}
-steps: {end: 1, count: 8}
-history:
-  - {name: pull, reaction: grip, component: x}
-  - {name: middle, displacement: middle, component: x}
-)"));
+TEST(Passes, APieceThatComesLooseIsTakenOutWhereItIs) {
+  const FractureRun run(deck_of(torn_chain));
   ASSERT_EQ(run.stopped, "");
   const auto& steps = run.records.steps;
   ASSERT_EQ(steps.size(), 8u);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "perinox/solve/hand_over.hpp"
+#include "support/breaking_decks.hpp"
 #include "support/fracture.hpp"
 #include "support/measured.hpp"
 
@@ -15,33 +16,15 @@ namespace {
 using test::measured;
 using ::testing::HasSubstr;
 
-/// 24 x 6 particles, a notch in the middle, held on the left and pulled on the right by 60 t.
-deck::Deck snapping_bar(const std::vector<std::string>& overrides = {}, const std::string& density = "1.0e-9") {
-  return deck_of(fmt::format(R"(
-dimension: plane-stress
-body: [{{name: bar, shape: {{box: {{min: [0, 0], max: [24, 6]}}}}, spacing: 1, material: brittle}}]
-horizon: {{ratio: 2.015}}
-cracks: [{{segment: {{start: [12, 0], end: [12, 2]}}}}]
-materials:
-  brittle: {{model: elastic, young_modulus: 1000, poisson_ratio: 0.3, {}damage: {{energy_release_rate: 0.05}}}}
-sets: {{wall: {{where: "x < 3"}}, pulled: {{where: "x > 21"}}}}
-boundary:
-  - {{set: wall, displacement: {{x: 0, y: 0}}}}
-  - {{set: pulled, force: {{x: "60*t"}}}}
-fracture: {{unbreakable: [wall, pulled]}}
-steps: {{end: 0.5, count: 10}}
-history:
-  - {{name: stretch, displacement: pulled, component: x}}
-  - {{name: held, reaction: wall, component: x}}
-)",
-                             density.empty() ? "" : "density: " + density + ", "),
-                 overrides);
+deck::Deck bar_that_snaps(const std::vector<std::string>& overrides = {},
+                          const std::string& density = "density: 1.0e-9, ") {
+  return deck_of(snapping_bar_of("2.015", "{end: 0.5, count: 10}", density), overrides);
 }
 
 TEST(HandOver, ABarThatSnapsComesToRestInTwoPieces) {
   double gaps[2];
   for (const double safety : {0.8, 0.4}) {
-    const FractureRun run(snapping_bar({fmt::format("explicit.safety={}", safety)}));
+    const FractureRun run(bar_that_snaps({fmt::format("explicit.safety={}", safety)}));
     ASSERT_EQ(run.stopped, "");
     ASSERT_EQ(run.records.steps.size(), 10u);
     ASSERT_EQ(run.records.begun.size(), 1u);
@@ -91,7 +74,7 @@ TEST(HandOver, ABarThatSnapsComesToRestInTwoPieces) {
 }
 
 TEST(HandOver, WithoutItTheRunStopsAndLeavesTheStateInWhichEquilibriumWasLost) {
-  for (const deck::Deck& deck : {snapping_bar({"fallback=none"}), snapping_bar({}, "")}) {
+  for (const deck::Deck& deck : {bar_that_snaps({"fallback=none"}), bar_that_snaps({}, "")}) {
     const FractureRun run(deck);
     EXPECT_THAT(run.stopped,
                 HasSubstr("stopped at t = 0.15 of 0.5, after 2 converged steps: no equilibrium at t = 0.15 "
@@ -104,7 +87,7 @@ TEST(HandOver, WithoutItTheRunStopsAndLeavesTheStateInWhichEquilibriumWasLost) {
 }
 
 TEST(HandOver, ExplicitIsWhatAutomaticTakesWhereBondsBreak) {
-  const FractureRun automatic(snapping_bar()), asked(snapping_bar({"fallback=explicit"}));
+  const FractureRun automatic(bar_that_snaps()), asked(bar_that_snaps({"fallback=explicit"}));
   EXPECT_EQ(asked.stopped, "");
   EXPECT_EQ(asked.broken(), automatic.broken());
   EXPECT_EQ(asked.records.steps.back().motion->time_steps, automatic.records.steps.back().motion->time_steps);
@@ -112,13 +95,13 @@ TEST(HandOver, ExplicitIsWhatAutomaticTakesWhereBondsBreak) {
 
 TEST(HandOver, TheDeckSaysWhenItIsTaken) {
   // Never for shares and overloads that are not reached: then only where Newton finds no equilibrium.
-  const FractureRun late(snapping_bar({"hand_over.broken_share=1", "hand_over.overload=1e9"}));
+  const FractureRun late(bar_that_snaps({"hand_over.broken_share=1", "hand_over.overload=1e9"}));
   EXPECT_EQ(late.stopped, "");
   ASSERT_FALSE(late.records.phases.empty());
   EXPECT_EQ(late.records.phases[0].cause, solve::LostEquilibrium::after_breaking);
   EXPECT_THAT(late.records.phases[0].reason, HasSubstr("no equilibrium at t = 0.15 once "));
   EXPECT_GT(late.records.steps[2].fracture->passes, 4);
-  const FractureRun early(snapping_bar({"hand_over.overload=1.5"}));
+  const FractureRun early(bar_that_snaps({"hand_over.overload=1.5"}));
   EXPECT_EQ(early.stopped, "");
   ASSERT_FALSE(early.records.phases.empty());
   EXPECT_EQ(early.records.phases[0].cause, solve::LostEquilibrium::overload);
@@ -128,7 +111,7 @@ TEST(HandOver, TheDeckSaysWhenItIsTaken) {
 }
 
 TEST(HandOver, ABodyThatDoesNotComeToRestStopsTheRun) {
-  const FractureRun run(snapping_bar({"hand_over.longest_time=2e-5"}));
+  const FractureRun run(bar_that_snaps({"hand_over.longest_time=2e-5"}));
   EXPECT_THAT(run.stopped, HasSubstr("the body is not at rest after 2e-05 of time (hand_over.longest_time)"));
   ASSERT_EQ(run.records.phases.size(), 1u);
   EXPECT_FALSE(run.records.phases[0].at_rest);
@@ -138,7 +121,7 @@ TEST(HandOver, ABodyThatDoesNotComeToRestStopsTheRun) {
 
 TEST(HandOver, TheLoadMayGoOn) {
   // All of the load comes in the motion: rate is that of t, and the parts are at rest under the last of it.
-  const FractureRun run(snapping_bar({"hand_over.rate=1e4"}));
+  const FractureRun run(bar_that_snaps({"hand_over.rate=1e4"}));
   EXPECT_EQ(run.stopped, "");
   ASSERT_EQ(run.records.phases.size(), 1u);
   EXPECT_TRUE(run.records.phases[0].at_rest);
@@ -148,12 +131,12 @@ TEST(HandOver, TheLoadMayGoOn) {
 }
 
 TEST(HandOver, APassageOfAWave) {
-  const deck::Deck deck = snapping_bar();
+  const deck::Deck deck = bar_that_snaps();
   const mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
   // Plane stress: c^2 = E/((1 - nu^2) rho), corner to corner of the particles.
   const double c = std::sqrt(1000 / (1 - 0.3 * 0.3) / 1e-9);
   EXPECT_NEAR(solve::passage_time(deck, scene) * c / std::hypot(23, 5), 1, 1e-12);
-  const deck::Deck light = snapping_bar({"fallback=none"}, "");
+  const deck::Deck light = bar_that_snaps({"fallback=none"}, "");
   EXPECT_THROW(solve::passage_time(light, scene), InputError);
 }
 

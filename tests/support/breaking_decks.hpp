@@ -4,22 +4,57 @@
 
 namespace perinox::testing {
 
-/// A notched bar under a growing force that snaps in step 1: 270 time steps at t = 0.2 until the pieces are at rest.
-inline const std::string snapping_bar = R"(
+/// A notched bar, held on the left and pulled on the right by a force of 60 t, that snaps at t < 0.2.
+inline std::string snapping_bar_of(const std::string& horizon_ratio, const std::string& steps,
+                                   const std::string& density = "density: 1.0e-9, ") {
+  return R"(
 dimension: plane-stress
 body: [{name: bar, shape: {box: {min: [0, 0], max: [24, 6]}}, spacing: 1, material: brittle}]
-horizon: {ratio: 3.015}
+horizon: {ratio: )" +
+         horizon_ratio + R"(}
 cracks: [{segment: {start: [12, 0], end: [12, 2]}}]
-materials: {brittle: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, density: 1.0e-9, damage: {energy_release_rate: 0.05}}}
+materials:
+  brittle: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, )" +
+         density + R"(damage: {energy_release_rate: 0.05}}
 sets: {wall: {where: "x < 3"}, pulled: {where: "x > 21"}}
 boundary:
   - {set: wall, displacement: {x: 0, y: 0}}
   - {set: pulled, force: {x: "60*t"}}
 fracture: {unbreakable: [wall, pulled]}
-steps: {end: 1, count: 5}
+steps: )" +
+         steps +
+         R"(
 history:
   - {name: stretch, displacement: pulled, component: x}
   - {name: held, reaction: wall, component: x}
+)";
+}
+
+/// It snaps in step 1: 270 time steps at t = 0.2 until the pieces are at rest.
+inline const std::string snapping_bar = snapping_bar_of("3.015", "{end: 1, count: 5}");
+
+/// Three strong parts and two weak ones, torn apart in step 1: both weak parts break alike and the middle comes loose.
+inline const std::string torn_chain = R"(
+dimension: plane-stress
+body:
+  - {name: left, shape: {box: {min: [0, 0], max: [4, 6]}}, spacing: 1, material: strong}
+  - {name: one, shape: {box: {min: [4, 0], max: [6, 6]}}, spacing: 1, material: weak}
+  - {name: middle, shape: {box: {min: [6, 0], max: [12, 6]}}, spacing: 1, material: strong}
+  - {name: other, shape: {box: {min: [12, 0], max: [14, 6]}}, spacing: 1, material: weak}
+  - {name: right, shape: {box: {min: [14, 0], max: [18, 6]}}, spacing: 1, material: strong}
+horizon: {ratio: 2.015}
+materials:
+  strong: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3}
+  weak: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, damage: {critical_stretch: 0.004}}
+sets: {wall: {where: "x < 2"}, grip: {where: "x > 16"}}
+boundary:
+  - {set: wall, displacement: {x: 0, y: 0}}
+  - {set: grip, displacement: {x: "0.8*t", y: 0}}
+fracture: {pass_share: 0.5}
+steps: {end: 1, count: 8}
+history:
+  - {name: pull, reaction: grip, component: x}
+  - {name: middle, displacement: middle, component: x}
 )";
 
 /// An edge crack that grows in converged passes through steps 3 to 5, and single particles that come loose.
