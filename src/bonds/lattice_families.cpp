@@ -117,27 +117,31 @@ bool LatticeFamilies::bond(std::int64_t cell, int offset) const {
   return block.mask < 0 || (masks_[block.mask + offset] >> (cell % lanes) & 1) != 0;
 }
 
-const StencilOffset* LatticeFamilies::remove(LocalIndex i, LocalIndex j) {
+LatticeFamilies::Place LatticeFamilies::find(LocalIndex i, LocalIndex j) const {
   const auto from = grid_.position(grid_.cell[i]), to = grid_.position(grid_.cell[j]);
   std::array<int, 3> step{};
   for (int c = 0; c < 3; ++c) step[c] = static_cast<int>(to[c] - from[c]);
-  std::int64_t cell = grid_.cell[i];
-  if (!forward(step)) {
+  const bool far = !forward(step);
+  const std::int64_t cell = grid_.cell[far ? j : i];
+  if (far)
     for (int& s : step) s = -s;
-    cell = grid_.cell[j];
-  }
   const auto found =
       std::find_if(offsets_.begin(), offsets_.end(), [&](const StencilOffset& offset) { return offset.step == step; });
-  if (found == offsets_.end()) return nullptr;
   const auto o = static_cast<int>(found - offsets_.begin());
-  if (!bond(cell, o)) return nullptr;
-  Block& block = blocks_[static_cast<std::size_t>(block_of_[cell / lanes])];
+  if (found == offsets_.end() || !bond(cell, o)) return {-1, 0, 0, 0, false};
+  return {j, static_cast<std::size_t>(block_of_[cell / lanes]), static_cast<int>(cell % lanes), o, far};
+}
+
+const StencilOffset* LatticeFamilies::remove(LocalIndex i, LocalIndex j) {
+  const Place place = find(i, j);
+  if (place.neighbor < 0) return nullptr;
+  Block& block = blocks_[place.block];
   if (block.mask < 0) {
     block.mask = static_cast<std::int64_t>(masks_.size());
     masks_.resize(masks_.size() + offsets_.size(), 0xFF);
   }
-  masks_[static_cast<std::size_t>(block.mask + o)] &= static_cast<std::uint8_t>(~(1u << (cell % lanes)));
-  return &*found;
+  masks_[static_cast<std::size_t>(block.mask + place.offset)] &= static_cast<std::uint8_t>(~(1u << place.lane));
+  return &offsets_[static_cast<std::size_t>(place.offset)];
 }
 
 void LatticeFamilies::places(LocalIndex i, std::vector<Place>& places) const {

@@ -90,17 +90,22 @@ void PairFamilies::complete() {
   weight_.shrink_to_fit();
 }
 
-PairFamilies::Removed PairFamilies::remove(LocalIndex i, LocalIndex j) {
+PairFamilies::Place PairFamilies::find(LocalIndex i, LocalIndex j) const {
   const int near = std::min(slot_[i], slot_[j]), other = std::max(slot_[i], slot_[j]);
-  for (std::int64_t k = begin_[near]; k < begin_[near + 1]; ++k) {
-    if (far_[k] != other) continue;
-    const Removed removed{length_[k], weight_.empty() ? 1.0 : weight_[k]};
-    far_[k] = slots() - 1;
-    length_[k] = 1;
-    if (!weight_.empty()) weight_[k] = 0;
-    return removed;
-  }
-  return {};
+  const auto first = far_.begin() + begin_[near], last = far_.begin() + begin_[near + 1];
+  const auto found = std::find(first, last, other);
+  return {found == last ? -1 : j, near, found - far_.begin(), near != slot_[i]};
+}
+
+PairFamilies::Removed PairFamilies::remove(LocalIndex i, LocalIndex j) {
+  const Place place = find(i, j);
+  if (place.neighbor < 0) return {};
+  const auto k = static_cast<std::size_t>(place.pair);
+  const Removed removed{length_[k], weight_.empty() ? 1.0 : weight_[k]};
+  far_[k] = slots() - 1;
+  length_[k] = 1;
+  if (!weight_.empty()) weight_[k] = 0;
+  return removed;
 }
 
 std::size_t PairFamilies::bytes() const {

@@ -26,9 +26,7 @@ FamilySums sums_of(const Family& family, const double* extension, const double* 
     sums.square += family.influence[j] * elastic * elastic * family.weight[j];
     sums.total += family.influence[j] * all * all * family.weight[j];
   }
-  const double broken = sums.shift * sums.shift * family.broken_volume;
-  sums.square += broken;
-  sums.total += broken;
+  sums.add_broken(family.broken_volume, family.broken_extension);
   return sums;
 }
 
@@ -42,7 +40,7 @@ FittedSums fitted_sums_of(const Family& family, const double* extension, const d
   all.sums = sums_of(family, extension, plastic);
   if (!family.moment) return all;
   const int n = bonds::mandel_size(family.dimension);
-  Mandel strain{}, flowed{};
+  Mandel strain = family.broken_extension.fit, flowed = family.broken_extension.fit;
   for (int j = 0; j < family.count; ++j)
     for (int k = 0; k < n; ++k) {
       const double share = family.influence[j] * family.weight[j] * family.basis[j * n + k];

@@ -9,7 +9,7 @@
 namespace perinox::mechanics {
 
 materials::FamilySums family_sums(const Scene& scene, const Committed& committed, const StrainSums& strains,
-                                  LocalIndex i, const bonds::Mandel& of_fit, const bonds::Mandel& plastic_fit,
+                                  LocalIndex i, bonds::Mandel of_fit, bonds::Mandel plastic_fit,
                                   materials::StrainFit& fit) {
   materials::FamilySums sums;
   sums.extension = strains.extension[i];
@@ -17,16 +17,22 @@ materials::FamilySums family_sums(const Scene& scene, const Committed& committed
   sums.square = strains.square[i];
   sums.total = strains.total.empty() ? sums.square : strains.total[i];
   sums.shift = committed.mean()[i];
-  if (!scene.families().broken_volume.empty()) {
-    const double broken = sums.shift * sums.shift * scene.families().broken_volume[i];
-    sums.square += broken;
-    sums.total += broken;
-  }
-  sums.weighted_volume = scene.families().weighted_volume[i];
-  if (!scene.families().deviatoric_volume.empty()) sums.corrected_volume = scene.families().deviatoric_volume[i];
-  sums.continuum_weighted_volume = scene.families().continuum_weighted_volume;
   sums.dimension = scene.dimension();
-  if (const bonds::Moment* moment = scene.families().moment(i)) {
+  const bonds::Families& families = scene.families();
+  if (!families.broken_volume.empty()) {
+    const auto at = static_cast<std::size_t>(i);
+    const bonds::BrokenExtension none;
+    const bonds::BrokenExtension& kept = families.broken_extension.empty() ? none : families.broken_extension[at];
+    sums.add_broken(families.broken_volume[at], kept);
+    for (std::size_t k = 0; k < kept.fit.size(); ++k) {
+      of_fit[k] += kept.fit[k];
+      plastic_fit[k] += kept.fit[k];
+    }
+  }
+  sums.weighted_volume = families.weighted_volume[i];
+  if (!families.deviatoric_volume.empty()) sums.corrected_volume = families.deviatoric_volume[i];
+  sums.continuum_weighted_volume = families.continuum_weighted_volume;
+  if (const bonds::Moment* moment = families.moment(i)) {
     fit = materials::fit(*moment, of_fit, plastic_fit, sums.square, sums.shift);
     if (scene.material(i).has_back_stress()) {
       fit_total(*moment, of_fit, sums.total, sums.shift, fit);

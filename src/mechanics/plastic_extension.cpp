@@ -12,6 +12,16 @@ namespace {
 constexpr std::size_t lanes = 8;
 constexpr std::size_t cache_line = 64;
 
+/// Where a chunk holds e_p of one end of a bond.
+std::size_t at(const bonds::LatticeFamilies::Place& place) {
+  return (2 * static_cast<std::size_t>(place.offset) + (place.far ? 1 : 0)) * lanes +
+         static_cast<std::size_t>(place.lane);
+}
+std::size_t at(const bonds::PairFamilies& pairs, const bonds::PairFamilies::Place& place) {
+  const auto k = static_cast<std::size_t>(place.pair - pairs.begin()[place.near]);
+  return (2 * (k / lanes) + (place.far ? 1 : 0)) * lanes + k % lanes;
+}
+
 struct Entry {
   GlobalId id;
   double value;
@@ -43,6 +53,18 @@ void PlasticExtension::mark(const std::vector<double>& flow) {
     if (flow[i] != 0) flowed_[i] = 1;
 }
 
+double PlasticExtension::of_bond(const Scene& scene, LocalIndex i, LocalIndex j) const {
+  if (chunks_.empty()) return 0;
+  if (const auto* lattice = scene.lattice()) {
+    const bonds::LatticeFamilies::Place place = lattice->find(i, j);
+    const double* chunk = chunks_[place.block];
+    return chunk ? chunk[at(place)] : 0;
+  }
+  const bonds::PairFamilies::Place place = scene.pairs()->find(i, j);
+  const double* chunk = chunks_[static_cast<std::size_t>(place.near)];
+  return chunk ? chunk[at(*scene.pairs(), place)] : 0;
+}
+
 std::vector<double> PlasticExtension::per_bond(const Scene& scene) const {
   const bonds::Bonds& bonds = scene.bonds();
   std::vector<double> all(static_cast<std::size_t>(bonds.count()), 0.0);
@@ -55,8 +77,7 @@ std::vector<double> PlasticExtension::per_bond(const Scene& scene) const {
       entries.clear();
       for (const auto& place : places) {
         const double* chunk = chunks_[place.block];
-        const std::size_t at = (2 * static_cast<std::size_t>(place.offset) + (place.far ? 1 : 0)) * lanes + place.lane;
-        entries.push_back({scene.body().id[place.neighbor], chunk ? chunk[at] : 0});
+        entries.push_back({scene.body().id[place.neighbor], chunk ? chunk[at(place)] : 0});
       }
       write_sorted(entries, &all[bonds.offset[i]]);
     }
@@ -67,9 +88,7 @@ std::vector<double> PlasticExtension::per_bond(const Scene& scene) const {
     entries.clear();
     for (const auto& place : every[i]) {
       const double* chunk = chunks_[place.near];
-      const auto k = static_cast<std::size_t>(place.pair - scene.pairs()->begin()[place.near]);
-      const std::size_t at = (2 * (k / lanes) + (place.far ? 1 : 0)) * lanes + k % lanes;
-      entries.push_back({scene.body().id[place.neighbor], chunk ? chunk[at] : 0});
+      entries.push_back({scene.body().id[place.neighbor], chunk ? chunk[at(*scene.pairs(), place)] : 0});
     }
     write_sorted(entries, &all[bonds.offset[i]]);
   }

@@ -110,7 +110,24 @@ void Scene::drop_fits() {
   if (families_.moments.empty()) families_.fit = {};
 }
 
-void Scene::break_bonds(const std::vector<BondEnds>& found) {
+/// The plastic extension of a bond that is about to break stays in its family's sums.
+void Scene::keep_extension(LocalIndex i, LocalIndex j, double weight, double length, double plastic) {
+  if (plastic == 0) return;
+  families_.broken_extension.resize(static_cast<std::size_t>(body_.owned));
+  double direction[3] = {};
+  for (int c = 0; c < dimension(); ++c) direction[c] = (body_.position(j)[c] - body_.position(i)[c]) / length;
+  const bonds::Mandel basis = bonds::mandel(dimension(), direction, length);
+  bonds::BrokenExtension& kept = families_.broken_extension[static_cast<std::size_t>(i)];
+  for (std::size_t k = 0; k < basis.size(); ++k) kept.fit[k] += weight * basis[k] * plastic;
+  kept.square += weight * plastic * plastic;
+}
+
+void Scene::set_broken_extension(std::vector<bonds::BrokenExtension> extension) {
+  families_.broken_extension = std::move(extension);
+  ++bonds_version_;
+}
+
+void Scene::break_bonds(const std::vector<BondEnds>& found, const PlasticExtension* plastic) {
   if (found.empty()) return;
   if (!from_sums_) throw std::logic_error("bonds of a material that is not made of sums cannot break");
   // In the order of ids, so that damage adds up alike whoever has found them.
@@ -122,13 +139,21 @@ void Scene::break_bonds(const std::vector<BondEnds>& found) {
   std::sort(ends.begin(), ends.end(), [&](const BondEnds& a, const BondEnds& b) { return ids_of(a) < ids_of(b); });
   families_.broken_volume.resize(static_cast<std::size_t>(body_.owned), 0.0);
   for (const BondEnds& bond : ends) {
-    double square = 0;  // omega xi^2 and the quadrature's share
+    double extension[2] = {};
+    for (const int end : {0, 1})
+      if (plastic && bond[static_cast<std::size_t>(end)] < body_.owned)
+        extension[end] =
+            plastic->of_bond(*this, bond[static_cast<std::size_t>(end)], bond[static_cast<std::size_t>(1 - end)]);
+    double square = 0, length = 0;  // omega xi^2 and the quadrature's share
     if (lattice_) {
-      if (const bonds::StencilOffset* offset = lattice_->remove(bond[0], bond[1]))
-        square = offset->influence * offset->share * offset->length * offset->length;
+      if (const bonds::StencilOffset* offset = lattice_->remove(bond[0], bond[1])) {
+        length = offset->length;
+        square = offset->influence * offset->share * length * length;
+      }
     } else {
       const bonds::PairFamilies::Removed removed = pairs_->remove(bond[0], bond[1]);
-      square = removed.weight * removed.length * removed.length;
+      length = removed.length;
+      square = removed.weight * length * length;
     }
     if (square == 0) throw std::logic_error("a bond that is not there cannot break");
     for (const int end : {0, 1}) {
@@ -138,9 +163,11 @@ void Scene::break_bonds(const std::vector<BondEnds>& found) {
       const double lost = square * body_.volume[j], all = families_.weighted_volume[i];
       families_.damage[i] += (1 - families_.damage[i]) * lost / (all - families_.broken_volume[i]);
       families_.broken_volume[i] += lost;
+      keep_extension(i, j, lost / (length * length), length, extension[end]);
       if (--families_.size[i] == 0) {
         families_.damage[i] = 1;
         families_.broken_volume[i] = all;
+        if (!families_.broken_extension.empty()) families_.broken_extension[static_cast<std::size_t>(i)] = {};
       }
       --families_.directed;
       ++families_.broken;
@@ -218,6 +245,7 @@ materials::Family Scene::family(LocalIndex i) const {
   family.continuum_weighted_volume = all.continuum_weighted_volume;
   family.moment = families_.moment(i);
   if (!all.broken_volume.empty()) family.broken_volume = all.broken_volume[i];
+  if (!all.broken_extension.empty()) family.broken_extension = all.broken_extension[static_cast<std::size_t>(i)];
   if (family.moment) family.basis = basis().data() + first * bonds::mandel_size(dimension());
   return family;
 }

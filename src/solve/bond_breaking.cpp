@@ -124,7 +124,7 @@ BondBreaking::Result BondBreaking::break_worst(const mechanics::Committed& state
     scene_.pairs()->each([&](LocalIndex near, LocalIndex far, double length, double weight) {
       judge(near, far, length, weight, displacement, judged);
     });
-  return break_above(judged, most);
+  return break_above(judged, most, state.plastic());
 }
 
 long long BondBreaking::break_all(ExplicitMotion& motion) {
@@ -140,7 +140,7 @@ long long BondBreaking::break_all(ExplicitMotion& motion) {
   Judged judged;
   for (const BondScreen::Candidate& bond : screen_->find(displacement, energies_ ? points_.data() : nullptr))
     judge(bond.near, bond.far, bond.length, bond.weight, displacement, judged);
-  return break_above(judged, bonds_).broken;
+  return break_above(judged, bonds_, motion.plastic()).broken;
 }
 
 void BondBreaking::judge(LocalIndex near, LocalIndex far, double length, double weight, const double* displacement,
@@ -155,7 +155,8 @@ void BondBreaking::judge(LocalIndex near, LocalIndex far, double length, double 
   if (lower < scene_.owned()) judged.counted.push_back(value);
 }
 
-BondBreaking::Result BondBreaking::break_above(const Judged& judged, long long most) {
+BondBreaking::Result BondBreaking::break_above(const Judged& judged, long long most,
+                                               const mechanics::PlasticExtension& plastic) {
   const body::Body& body = scene_.body();
   Result result;
   result.worst = body.communicator.max(judged.worst);
@@ -170,7 +171,7 @@ BondBreaking::Result BondBreaking::break_above(const Judged& judged, long long m
   for (const Critical& bond : judged.critical)
     if (bond.ratio >= least) ends.push_back(bond.ends);
   rounds_.push_back(scene_.broken().size());
-  scene_.break_bonds(ends);
+  scene_.break_bonds(ends, &plastic);
   result.broken = std::count_if(all.begin(), all.end(), [&](double value) { return value >= least; });
   broken_ += result.broken;
   return result;

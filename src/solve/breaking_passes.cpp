@@ -30,7 +30,8 @@ LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, NewtonResult& tot
     mechanics::Trial trial;
     std::vector<double> force(scene_.owned_unknowns());
     mechanics::internal_force(scene_, committed_, committed_.displacement().data(), trial, force.data());
-    const double after = ranks.sum(trial.stored);
+    // Flow that the break sets off is the next solve's, and what it dissipates is still stored.
+    const double after = ranks.sum(trial.stored + trial.dissipated);
     energies_.released += energies_.stored - after;
     energies_.stored = after;
     force_ = force;
@@ -147,7 +148,7 @@ std::string LoadStepper::finish_motion(Observer& observer, NewtonResult& total) 
 }
 
 bool LoadStepper::let_loose_go(Observer& observer) {
-  const LoosePieces found = find_loose(scene_, boundary_);
+  const LoosePieces found = find_loose(scene_, boundary_, committed_.plastic());
   breaking_->count_also(found);
   for (const std::string& sentence : found.sentences) observer.note(sentence);
   if (!scene_.body().communicator.any(std::any_of(found.loose.begin(), found.loose.end(), [](char c) { return c; })))

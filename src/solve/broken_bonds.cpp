@@ -10,6 +10,9 @@ namespace perinox::solve {
 namespace {
 
 constexpr const char* name = "fracture/broken";
+constexpr const char* extension_name = "fracture/broken_extension";
+/// Numbers of a bonds::BrokenExtension.
+constexpr int extension_size = 7;
 
 /// lower id, upper id, round
 using Entry = std::array<long long, 3>;
@@ -50,6 +53,38 @@ void each_bond(const mechanics::Scene& scene, const Visit& visit) {
     scene.pairs()->each([&](LocalIndex i, LocalIndex j, double, double) { visit(i, j); });
 }
 
+void save_broken_extension(const mechanics::Scene& scene, StateWriter& writer) {
+  const std::vector<bonds::BrokenExtension>& all = scene.families().broken_extension;
+  std::vector<int> count(static_cast<std::size_t>(scene.owned()), 0);
+  for (std::size_t i = 0; i < all.size(); ++i) count[i] = all[i].square > 0 ? extension_size : 0;
+  writer.lists(extension_name, count, [&](const std::vector<LocalIndex>& particles, std::vector<double>& values) {
+    for (const LocalIndex i : particles) {
+      if (count[static_cast<std::size_t>(i)] == 0) continue;
+      const bonds::BrokenExtension& of = all[static_cast<std::size_t>(i)];
+      values.insert(values.end(), of.fit.begin(), of.fit.end());
+      values.push_back(of.square);
+    }
+  });
+}
+
+std::vector<bonds::BrokenExtension> read_broken_extension(const StateReader& reader) {
+  const std::vector<int> count = reader.list_counts(extension_name);
+  std::vector<bonds::BrokenExtension> all;
+  const bool bad = std::any_of(count.begin(), count.end(), [](int n) { return n != 0 && n != extension_size; });
+  reader.refuse_if(bad ? "what it holds of the plastic extension of broken bonds has another length" : "");
+  if (std::any_of(count.begin(), count.end(), [](int n) { return n > 0; })) all.resize(count.size());
+  reader.lists(extension_name, [&](const std::vector<LocalIndex>& particles, const std::vector<double>& values) {
+    auto value = values.begin();
+    for (const LocalIndex i : particles) {
+      if (count[static_cast<std::size_t>(i)] == 0) continue;
+      bonds::BrokenExtension& of = all[static_cast<std::size_t>(i)];
+      for (double& number : of.fit) number = *value++;
+      of.square = *value++;
+    }
+  });
+  return all;
+}
+
 }  // namespace
 
 void save_broken_bonds(const mechanics::Scene& scene, const std::vector<std::size_t>& rounds, StateWriter& writer) {
@@ -74,9 +109,11 @@ void save_broken_bonds(const mechanics::Scene& scene, const std::vector<std::siz
       }
     }
   });
+  save_broken_extension(scene, writer);
 }
 
-BrokenBonds::BrokenBonds(mechanics::Scene& scene, const StateReader& reader) : scene_(scene) {
+BrokenBonds::BrokenBonds(mechanics::Scene& scene, const StateReader& reader)
+    : scene_(scene), extension_(read_broken_extension(reader)) {
   const std::vector<Entry> table = read_table(scene, reader);
   count_ = static_cast<long long>(table.size());
   for (const Entry& entry : table) {
@@ -116,6 +153,7 @@ void BrokenBonds::break_first(long long bonds) {
     scene_.break_bonds(ends);
     done_ += broken_[round];
   }
+  if (done_ == count_) scene_.set_broken_extension(extension_);
 }
 
 }  // namespace perinox::solve

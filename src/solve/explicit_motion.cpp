@@ -230,6 +230,7 @@ double ExplicitMotion::bonds_have_broken() {
   double released = trial_.stored + contact_energy_;
   evaluate();
   accelerate();
+  trial_.stored += trial_.dissipated;  // flow that the break sets off is the next time step's
   released = scene_.body().communicator.sum(released - trial_.stored - contact_energy_);
   released_ += released;
   return released;

@@ -145,7 +145,7 @@ long long HandOver::break_bonds() {
 
 bool HandOver::let_loose_go(Observer& observer) {
   if (!breaking_) return false;
-  const LoosePieces found = find_loose(scene_, boundary_);
+  const LoosePieces found = find_loose(scene_, boundary_, motion_->plastic());
   breaking_->count_also(found);
   for (const std::string& sentence : found.sentences) observer.note(sentence);
   const bool any = scene_.body().communicator.any(

@@ -58,7 +58,7 @@ std::vector<double> find_hanging(const mechanics::Scene& scene) {
 }
 
 /// Breaks the bonds of hanging particles; how many over all ranks.
-long long cut_hanging(mechanics::Scene& scene) {
+long long cut_hanging(mechanics::Scene& scene, const mechanics::PlasticExtension& plastic) {
   const std::vector<double> hanging = find_hanging(scene);
   std::vector<mechanics::BondEnds> ends;
   long long counted = 0;
@@ -68,20 +68,20 @@ long long cut_hanging(mechanics::Scene& scene) {
     const LocalIndex lower = scene.body().id[i] < scene.body().id[j] ? i : j;
     if (lower < scene.owned()) ++counted;
   });
-  scene.break_bonds(ends);
+  scene.break_bonds(ends, &plastic);
   return scene.body().communicator.sum(counted);
 }
 
 }  // namespace
 
-LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary) {
+LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary, const mechanics::PlasticExtension& plastic) {
   const body::Body& body = scene.body();
   const int d = scene.dimension();
   LoosePieces found;
   found.loose.assign(static_cast<std::size_t>(scene.owned()), 0);
   for (long long cut = 1; cut > 0; found.broken += cut) {
     found.rounds.push_back(scene.broken().size());
-    cut = cut_hanging(scene);
+    cut = cut_hanging(scene, plastic);
   }
   if (found.broken > 0)
     found.sentences.push_back(

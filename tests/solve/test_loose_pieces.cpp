@@ -36,7 +36,7 @@ struct Loose : Plate {
 
 TEST(LoosePieces, NothingIsLooseBeforeAnythingBreaks) {
   Loose plate;
-  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary);
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {});
   EXPECT_EQ(plate.count(found), 0);
   EXPECT_EQ(found.broken, 0);
   EXPECT_TRUE(found.sentences.empty());
@@ -46,7 +46,7 @@ TEST(LoosePieces, AParticleWithoutBonds) {
   Loose plate;
   const LocalIndex lone = plate.at(5.5, 8.5);
   plate.scene.break_bonds(test::bonds_of(plate.scene, lone));
-  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary);
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {});
   EXPECT_EQ(plate.count(found), 1);
   EXPECT_TRUE(found.loose[lone]);
   EXPECT_EQ(found.broken, 0);
@@ -54,7 +54,7 @@ TEST(LoosePieces, AParticleWithoutBonds) {
   EXPECT_THAT(found.sentences[0], HasSubstr("1 single particles have lost all their bonds"));
   // Once let go it is told no more.
   plate.boundary.let_go(found.loose);
-  const solve::LoosePieces again = find_loose(plate.scene, plate.boundary);
+  const solve::LoosePieces again = find_loose(plate.scene, plate.boundary, {});
   EXPECT_EQ(plate.count(again), 0);
   EXPECT_TRUE(again.sentences.empty());
 }
@@ -67,7 +67,7 @@ TEST(LoosePieces, AParticleThatHangsOnOneLine) {
     return of_it && a[1] != b[1];  // six bonds along x are left
   });
   ASSERT_EQ(plate.scene.families().size[hanging], 6);
-  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary);
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {});
   EXPECT_EQ(found.broken, 6);
   EXPECT_EQ(plate.scene.families().size[hanging], 0);
   EXPECT_EQ(plate.count(found), 1);
@@ -78,7 +78,7 @@ TEST(LoosePieces, AFragment) {
   Loose plate;
   const auto inside = [](const double* x) { return x[0] > 4 && x[0] < 8 && x[1] > 6 && x[1] < 9; };
   plate.cut([&](const double* a, const double* b) { return inside(a) != inside(b); });
-  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary);
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {});
   EXPECT_EQ(plate.count(found), 12);
   EXPECT_EQ(found.broken, 0);
   for (LocalIndex i = 0; i < plate.scene.owned(); ++i)
@@ -95,7 +95,7 @@ TEST(LoosePieces, APieceThatIsHeldPartlyStays) {
   plate.deck = deck_of(yaml);
   const solve::Boundary boundary(plate.deck, plate.scene);
   plate.cut([](const double* a, const double* b) { return (a[1] < 6) != (b[1] < 6); });
-  EXPECT_EQ(plate.count(find_loose(plate.scene, boundary)), 0);  // free along x, but held along y
+  EXPECT_EQ(plate.count(find_loose(plate.scene, boundary, {})), 0);  // free along x, but held along y
 }
 
 }  // namespace

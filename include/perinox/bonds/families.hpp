@@ -21,13 +21,14 @@ struct Families {
   std::vector<double> deviatoric_volume;  ///< [owned] in place of m in the shear stiffness; empty: m
   std::vector<double> damage;             ///< [owned] share of the uncut family's omega xi^2 weight that is gone
   std::vector<double> broken_volume;      ///< [owned] omega xi^2 weight of bonds broken since; empty: none anywhere
-  double continuum_weighted_volume = 0;   ///< m of a full continuous neighbourhood with this influence function
-  long long directed = 0;                 ///< directed bonds on this rank
-  long long cut = 0;                      ///< directed bonds cut by pre-cracks on this rank
-  long long broken = 0;                   ///< directed bonds broken since, on this rank
-  std::vector<std::int32_t> fit;          ///< [owned] index into moments, -1: plain formulas; empty: nowhere a fit
-  std::vector<Moment> moments;            ///< of the owned particles whose strain is fitted
-  long long deficient = 0;                ///< owned particles whose strain would be fitted if their families allowed it
+  std::vector<BrokenExtension> broken_extension;  ///< [owned]; empty: no bond that broke had flowed
+  double continuum_weighted_volume = 0;           ///< m of a full continuous neighbourhood with this influence function
+  long long directed = 0;                         ///< directed bonds on this rank
+  long long cut = 0;                              ///< directed bonds cut by pre-cracks on this rank
+  long long broken = 0;                           ///< directed bonds broken since, on this rank
+  std::vector<std::int32_t> fit;  ///< [owned] index into moments, -1: plain formulas; empty: nowhere a fit
+  std::vector<Moment> moments;    ///< of the owned particles whose strain is fitted
+  long long deficient = 0;        ///< owned particles whose strain would be fitted if their families allowed it
 
   const Moment* moment(LocalIndex i) const {
     return fit.empty() || fit[i] < 0 ? nullptr : &moments[static_cast<std::size_t>(fit[i])];

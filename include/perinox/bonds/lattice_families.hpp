@@ -55,6 +55,8 @@ class LatticeFamilies {
   };
   /// All bonds of particle i, in no particular order. Replaces what is in `places`.
   void places(LocalIndex i, std::vector<Place>& places) const;
+  /// Particle i's end of its bond to j; its neighbor is -1 if there is none.
+  Place find(LocalIndex i, LocalIndex j) const;
 
  private:
   static constexpr int lanes = 8;

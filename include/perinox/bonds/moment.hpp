@@ -22,6 +22,12 @@ struct Moment {
   double weighted_volume() const;  ///< m, the trace of `second`
 };
 
+/// What broken bonds leave in the sums of their family: only their elastic extension is gone, so that e = e_p of each.
+struct BrokenExtension {
+  Mandel fit{};       ///< sum omega xi N e_p weight; its trace is sum omega xi e_p weight
+  double square = 0;  ///< sum omega e_p^2 weight
+};
+
 /// In place of m in alpha: makes the energy alpha/2 sum w (e - theta xi/d)^2 of a uniform strain right on average over
 /// all deviatoric strains of one size. sums: M as below. Length^2 volume; m where M I is isotropic; never less than a
 /// tenth of m.

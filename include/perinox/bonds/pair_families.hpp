@@ -61,6 +61,8 @@ class PairFamilies {
     std::int64_t pair;  ///< index of the pair
     bool far;           ///< true: the particle is the pair's far end
   };
+  /// Particle i's end of its bond to j, one of the two owned; its neighbor is -1 if there is none.
+  Place find(LocalIndex i, LocalIndex j) const;
   /// All bonds of all owned particles: [owned][family].
   std::vector<std::vector<Place>> places() const;
   /// Who is bonded to whom; must not outlive the families. Holds four bytes a directed bond.

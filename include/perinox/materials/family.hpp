@@ -17,17 +17,19 @@ struct Family {
   double weighted_volume = 0;            ///< m = sum omega xi^2 weight (Eq. 8)
   double deviatoric_volume = 0;          ///< in place of m in alpha and the yield value; 0: m
   double continuum_weighted_volume = 0;  ///< m of a full continuous neighbourhood
-  double broken_volume = 0;              ///< share of m that belongs to broken bonds, which count as unstretched
+  double broken_volume = 0;              ///< share of m that belongs to broken bonds, of which e = e_p
+  bonds::BrokenExtension broken_extension;
   /// Of a point whose strain is fitted; null: the plain formulas.
   const bonds::Moment* moment = nullptr;
   const double* basis = nullptr;  ///< [count * mandel_size] xi N, length; with a moment only
 };
 
 /// All that an ordinary material's point formulas need of a family: three sums over its bonds, a . b = sum a b weight.
+/// A broken bond has lost its elastic extension and no more: e = e_p, as it was when it broke.
 struct FamilySums {
   double extension = 0;  ///< (omega xi) . e
   double plastic = 0;    ///< (omega xi) . e_p
-  double square = 0;     ///< sum omega (e - e_p - shift xi)^2 weight; of a broken bond e = e_p = 0, here and below
+  double square = 0;     ///< sum omega (e - e_p - shift xi)^2 weight
   double total = 0;      ///< sum omega (e - shift xi)^2 weight; only for a material with a back stress
   double shift = 0;      ///< any number near theta/d: the nearer, the less cancels
   double weighted_volume = 0;
@@ -35,6 +37,17 @@ struct FamilySums {
   double continuum_weighted_volume = 0;
   int dimension = 3;
   bool fitted = false;  ///< extension is m theta/d, square and total what StrainFit has, which needs no mean
+
+  /// Adds broken bonds, volume being their share of m, to the sums of the others. Those of a fit are not concerned:
+  /// they are added to before.
+  void add_broken(double volume, const bonds::BrokenExtension& bonds) {
+    double along = 0;
+    for (int k = 0; k < dimension; ++k) along += bonds.fit[static_cast<std::size_t>(k)];
+    extension += along;
+    plastic += along;
+    square += shift * shift * volume;
+    total += shift * shift * volume - 2 * shift * along + bonds.square;
+  }
 
   /// What stands for m in alpha = d(d+2) mu/m and in the yield value: m, unless a surface correction says otherwise.
   double deviatoric_volume() const { return corrected_volume > 0 ? corrected_volume : weighted_volume; }

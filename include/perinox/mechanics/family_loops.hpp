@@ -20,7 +20,7 @@ struct StrainSums {
 /// What the materials see of the sums of particle i. of_fit, plastic_fit: its own, read where its strain is fitted;
 /// fit: what they say then.
 materials::FamilySums family_sums(const Scene& scene, const Committed& committed, const StrainSums& strains,
-                                  LocalIndex i, const bonds::Mandel& of_fit, const bonds::Mandel& plastic_fit,
+                                  LocalIndex i, bonds::Mandel of_fit, bonds::Mandel plastic_fit,
                                   materials::StrainFit& fit);
 
 /// Coefficients of every owned particle's tangent: see materials::PointState and PointModulus. [owned] each.

@@ -30,6 +30,9 @@ class PlasticExtension {
   /// The way back, into chunks that are there; values for others are passed over.
   void write(const Scene& scene, const std::vector<LocalIndex>& particles, const std::vector<double>& values);
 
+  /// e_p at particle i's own end of its bond to j, which has to be there; i is owned.
+  double of_bond(const Scene& scene, LocalIndex i, LocalIndex j) const;
+
   /// e_p of every bond of scene.bonds(), in its order. For the sparse assembly and for checks.
   std::vector<double> per_bond(const Scene& scene) const;
 

@@ -15,6 +15,7 @@
 namespace perinox::mechanics {
 
 class Evaluation;
+class PlasticExtension;
 
 /// How the bonds are stored: as a stencil where the body is a lattice, or always as pairs (for comparison).
 enum class Layout { automatic, pairs };
@@ -43,10 +44,13 @@ class Scene {
   const bonds::Bonds& bonds() const;
 
   /// Breaks bonds, each with an end of this rank's; the rank of the other end is told the same by the caller. m and the
-  /// fit of the strain stay those of the family before: a broken bond counts as one without extension, so that its
-  /// stiffness is gone and the energy stays one energy (formulation 3). Throws std::logic_error for a bond that is not
-  /// there, and where the loops over stored bonds are taken.
-  void break_bonds(const std::vector<BondEnds>& ends);
+  /// fit of the strain stay those of the family before: a broken bond counts as one without elastic extension, so that
+  /// its stiffness is gone and the energy stays one energy (formulation 3). plastic: of the state in which they break;
+  /// null: none of them has flowed. Throws std::logic_error for a bond that is not there, and where the loops over
+  /// stored bonds are taken.
+  void break_bonds(const std::vector<BondEnds>& ends, const PlasticExtension* plastic = nullptr);
+  /// In place of what break_bonds has noted: Families::broken_extension of another run's same bonds.
+  void set_broken_extension(std::vector<bonds::BrokenExtension> extension);
   /// Changes with every break_bonds.
   std::uint64_t bonds_version() const { return bonds_version_; }
   /// Ids of the ends of the bonds broken so far, the smaller first, in the order of breaking; of those whose smaller id
@@ -90,6 +94,7 @@ class Scene {
  private:
   void complete();
   void drop_fits();
+  void keep_extension(LocalIndex i, LocalIndex j, double weight, double length, double plastic);
   const std::vector<double>& basis() const;
 
   body::Body body_;

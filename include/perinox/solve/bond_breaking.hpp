@@ -59,7 +59,7 @@ class BondBreaking {
   };
   void judge(LocalIndex near, LocalIndex far, double length, double weight, const double* displacement,
              Judged& judged) const;
-  Result break_above(const Judged& judged, long long most);
+  Result break_above(const Judged& judged, long long most, const mechanics::PlasticExtension& plastic);
   void find_points(const mechanics::Committed& state);
   /// lower, upper: ends by ascending id.
   double ratio(LocalIndex lower, LocalIndex upper, double length, double weight, const double* displacement) const;

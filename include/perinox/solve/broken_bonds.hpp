@@ -1,6 +1,6 @@
 #pragma once
 /// The bonds that a run has broken, on their way to a checkpoint and back: pairs of ids with the round in which they
-/// broke, whatever the ranks.
+/// broke, and the plastic extension that they left, whatever the ranks.
 #include <vector>
 
 #include "perinox/core/saved_state.hpp"
@@ -19,7 +19,8 @@ class BrokenBonds {
   /// scene: no bond of it has broken. Throws InputError where it does not have the bonds. Collective.
   BrokenBonds(mechanics::Scene& scene, const StateReader& reader);
 
-  /// Breaks the next rounds until `bonds` of all ranks are broken.
+  /// Breaks the next rounds until `bonds` of all ranks are broken. With the last of them comes the plastic extension
+  /// that they left in their families' sums.
   void break_first(long long bonds);
   /// Over all ranks.
   long long count() const { return count_; }
@@ -32,8 +33,9 @@ class BrokenBonds {
     mechanics::BondEnds ends;
   };
   mechanics::Scene& scene_;
-  std::vector<Bond> bonds_;        ///< with an end of this rank's, by rounds
-  std::vector<long long> broken_;  ///< [rounds] over all ranks
+  std::vector<bonds::BrokenExtension> extension_;  ///< [owned], or empty
+  std::vector<Bond> bonds_;                        ///< with an end of this rank's, by rounds
+  std::vector<long long> broken_;                  ///< [rounds] over all ranks
   std::vector<std::size_t> rounds_;
   std::size_t next_ = 0;
   long long count_ = 0, done_ = 0;

@@ -95,6 +95,7 @@ class ExplicitMotion {
 
   /// The present state as a committed one; brings it up to date where materials have no history.
   const mechanics::Committed& committed();
+  const mechanics::PlasticExtension& plastic() const { return committed_.plastic(); }  ///< of the present state
   /// The same for good: the motion is over.
   mechanics::Committed release();
 

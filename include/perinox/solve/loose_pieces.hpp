@@ -20,6 +20,6 @@ struct LoosePieces {
 /// one line, in 3-D bonds within one plane), then finds the pieces that no bond joins to a prescribed displacement. A
 /// piece that is held only partly stays: it is in balance along its free motions as long as nothing pushes it there.
 /// Collective.
-LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary);
+LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary, const mechanics::PlasticExtension& plastic);
 
 }  // namespace perinox::solve
