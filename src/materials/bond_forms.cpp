@@ -26,7 +26,7 @@ FamilySums sums_of(const Family& family, const double* extension, const double* 
     sums.square += family.influence[j] * elastic * elastic * family.weight[j];
     sums.total += family.influence[j] * all * all * family.weight[j];
   }
-  sums.add_broken(family.broken_volume, family.broken_extension);
+  sums.add_broken(family.broken_volume, family.broken_extension, family.broken_elastic);
   return sums;
 }
 
@@ -41,6 +41,7 @@ FittedSums fitted_sums_of(const Family& family, const double* extension, const d
   if (!family.moment) return all;
   const int n = bonds::mandel_size(family.dimension);
   Mandel strain = family.broken_extension.fit, flowed = family.broken_extension.fit;
+  for (std::size_t k = 0; k < flowed.size(); ++k) flowed[k] -= family.broken_elastic.fit[k];
   for (int j = 0; j < family.count; ++j)
     for (int k = 0; k < n; ++k) {
       const double share = family.influence[j] * family.weight[j] * family.basis[j * n + k];

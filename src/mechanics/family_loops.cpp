@@ -23,10 +23,11 @@ materials::FamilySums family_sums(const Scene& scene, const Committed& committed
     const auto at = static_cast<std::size_t>(i);
     const bonds::BrokenExtension none;
     const bonds::BrokenExtension& kept = families.broken_extension.empty() ? none : families.broken_extension[at];
-    sums.add_broken(families.broken_volume[at], kept);
+    const bonds::BrokenElastic elastic = committed.broken_elastic(scene, i);
+    sums.add_broken(families.broken_volume[at], kept, elastic);
     for (std::size_t k = 0; k < kept.fit.size(); ++k) {
       of_fit[k] += kept.fit[k];
-      plastic_fit[k] += kept.fit[k];
+      plastic_fit[k] += kept.fit[k] - elastic.fit[k];
     }
   }
   sums.weighted_volume = families.weighted_volume[i];

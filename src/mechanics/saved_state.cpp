@@ -10,6 +10,10 @@ namespace perinox::mechanics {
 
 namespace {
 
+constexpr const char* elastic_name = "state/broken_elastic";
+/// Numbers of a bonds::BrokenElastic.
+constexpr int elastic_size = 7;
+
 std::vector<int> lengths(const std::vector<std::int64_t>& begin) {
   std::vector<int> count;
   for (std::size_t i = 0; i + 1 < begin.size(); ++i) count.push_back(static_cast<int>(begin[i + 1] - begin[i]));
@@ -48,6 +52,13 @@ void Committed::save(const Scene& scene, StateWriter& writer) const {
   if (!scene.from_sums())
     writer.lists("state/bond_history", lengths(scene.bond_history()), slices(scene.bond_history(), bond_history_));
   if (!scene.plastic()) return;
+  std::vector<double> elastic(elastic_size * mean_.size(), 0.0);
+  for (std::size_t i = 0; i < broken_elastic_.size(); ++i) {
+    std::copy(broken_elastic_[i].fit.begin(), broken_elastic_[i].fit.end(), &elastic[elastic_size * i]);
+    elastic[elastic_size * i + elastic_size - 1] = broken_elastic_[i].square;
+  }
+  if (scene.body().communicator.any(!broken_elastic_.empty()))
+    writer.particles(elastic_name, elastic.data(), elastic_size);
   const std::vector<char>& flowed = plastic_->flowed();
   std::vector<int> count(static_cast<std::size_t>(scene.owned()), 0);
   for (std::size_t i = 0; i < flowed.size(); ++i)
@@ -69,7 +80,16 @@ void Committed::restore(const Scene& scene, StateReader& reader) {
   if (!scene.from_sums()) take_slices(reader, "state/bond_history", scene.bond_history(), bond_history_);
   version_ = new_version();
   plastic_ = std::make_shared<PlasticExtension>();
+  broken_elastic_.clear();
   if (!scene.plastic()) return;
+  if (reader.has(elastic_name)) {
+    const std::vector<double> elastic = reader.particles(elastic_name, elastic_size);
+    broken_elastic_.resize(mean_.size());
+    for (std::size_t i = 0; i < broken_elastic_.size(); ++i) {
+      std::copy_n(&elastic[elastic_size * i], elastic_size - 1, broken_elastic_[i].fit.begin());
+      broken_elastic_[i].square = elastic[elastic_size * i + elastic_size - 1];
+    }
+  }
 
   const std::vector<int> count = reader.list_counts("state/plastic_extension");
   std::string sentence;

@@ -110,15 +110,18 @@ void Scene::drop_fits() {
   if (families_.moments.empty()) families_.fit = {};
 }
 
-/// The plastic extension of a bond that is about to break stays in its family's sums.
+/// The plastic extension of a bond that breaks stays in its family's sums.
 void Scene::keep_extension(LocalIndex i, LocalIndex j, double weight, double length, double plastic) {
-  if (plastic == 0) return;
+  if (material(i).history().per_bond == 0) return;
   families_.broken_extension.resize(static_cast<std::size_t>(body_.owned));
   double direction[3] = {};
   for (int c = 0; c < dimension(); ++c) direction[c] = (body_.position(j)[c] - body_.position(i)[c]) / length;
   const bonds::Mandel basis = bonds::mandel(dimension(), direction, length);
   bonds::BrokenExtension& kept = families_.broken_extension[static_cast<std::size_t>(i)];
-  for (std::size_t k = 0; k < basis.size(); ++k) kept.fit[k] += weight * basis[k] * plastic;
+  for (std::size_t k = 0; k < basis.size(); ++k) {
+    kept.fit[k] += weight * basis[k] * plastic;
+    kept.second[k] += weight * length * basis[k];
+  }
   kept.square += weight * plastic * plastic;
 }
 

@@ -21,11 +21,38 @@ Committed::Committed(const Scene& scene)
       plastic_(std::make_shared<PlasticExtension>()),
       version_(new_version()) {}
 
+bonds::BrokenElastic Committed::broken_elastic(const Scene& scene, LocalIndex i) const {
+  // Of a particle without bonds nothing is left.
+  return broken_elastic_.empty() || scene.families().size[i] == 0 ? bonds::BrokenElastic()
+                                                                  : broken_elastic_[static_cast<std::size_t>(i)];
+}
+
+/// e_p += flow (e - mean xi - e_p) of the broken bonds, as of the others: e - e_p becomes (1 - flow) (e - e_p) + flow
+/// mean xi.
+void Committed::flow_of_broken(const Scene& scene, const Trial& trial) {
+  const std::vector<bonds::BrokenExtension>& broken = scene.families().broken_extension;
+  if (broken.empty()) return;
+  broken_elastic_.resize(broken.size());
+  for (std::size_t i = 0; i < broken.size(); ++i) {
+    if (trial.flow[i] == 0) continue;
+    bonds::BrokenElastic& of = broken_elastic_[i];
+    const double rest = 1 - trial.flow[i], added = trial.flow[i] * trial.mean[i];
+    double along = 0, volume = 0;  // traces: sum omega xi (e - e_p) weight, sum omega xi^2 weight
+    for (std::size_t k = 0; k < static_cast<std::size_t>(scene.dimension()); ++k) {
+      along += of.fit[k];
+      volume += broken[i].second[k];
+    }
+    of.square = rest * rest * of.square + added * (2 * rest * along + added * volume);
+    for (std::size_t k = 0; k < of.fit.size(); ++k) of.fit[k] = rest * of.fit[k] + added * broken[i].second[k];
+  }
+}
+
 void Committed::advance(const Scene& scene, Trial&& trial) {
   const bool flows = std::any_of(trial.flow.begin(), trial.flow.end(), [](double flow) { return flow != 0; });
   if (flows) {
     scene.evaluation().loops().advance(trial.displacement.data(), trial.mean.data(), trial.flow.data(), *plastic_);
     plastic_->mark(trial.flow);
+    flow_of_broken(scene, trial);
   }
   t_ = trial.t;
   // Exchanged rather than moved: who commits every time step uses the trial's arrays again.

@@ -56,7 +56,8 @@ void StoredTangent::linearise_points(const Committed& committed, deck::TangentFo
   const std::vector<double> plastic = scene_.plastic() ? committed.plastic().per_bond(scene_) : std::vector<double>();
   materials::ModulusState modulus;
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
-    const materials::Family family = scene_.family(i);
+    materials::Family family = scene_.family(i);
+    family.broken_elastic = committed.broken_elastic(scene_, i);
     const auto first = static_cast<std::size_t>(scene_.bonds().offset[i]);
     family_kinematics<d>(scene_, i, x_.data(), extension.data(), &direction_[first * d], stretched.data());
     trial_point.resize(static_cast<std::size_t>(scene_.point_history()[i + 1] - scene_.point_history()[i]));

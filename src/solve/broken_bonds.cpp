@@ -12,7 +12,7 @@ namespace {
 constexpr const char* name = "fracture/broken";
 constexpr const char* extension_name = "fracture/broken_extension";
 /// Numbers of a bonds::BrokenExtension.
-constexpr int extension_size = 7;
+constexpr int extension_size = 13;
 
 /// lower id, upper id, round
 using Entry = std::array<long long, 3>;
@@ -56,13 +56,15 @@ void each_bond(const mechanics::Scene& scene, const Visit& visit) {
 void save_broken_extension(const mechanics::Scene& scene, StateWriter& writer) {
   const std::vector<bonds::BrokenExtension>& all = scene.families().broken_extension;
   std::vector<int> count(static_cast<std::size_t>(scene.owned()), 0);
-  for (std::size_t i = 0; i < all.size(); ++i) count[i] = all[i].square > 0 ? extension_size : 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].second != bonds::Mandel{}) count[i] = extension_size;
   writer.lists(extension_name, count, [&](const std::vector<LocalIndex>& particles, std::vector<double>& values) {
     for (const LocalIndex i : particles) {
       if (count[static_cast<std::size_t>(i)] == 0) continue;
       const bonds::BrokenExtension& of = all[static_cast<std::size_t>(i)];
       values.insert(values.end(), of.fit.begin(), of.fit.end());
       values.push_back(of.square);
+      values.insert(values.end(), of.second.begin(), of.second.end());
     }
   });
 }
@@ -80,6 +82,7 @@ std::vector<bonds::BrokenExtension> read_broken_extension(const StateReader& rea
       bonds::BrokenExtension& of = all[static_cast<std::size_t>(i)];
       for (double& number : of.fit) number = *value++;
       of.square = *value++;
+      for (double& number : of.second) number = *value++;
     }
   });
   return all;

@@ -22,10 +22,17 @@ struct Moment {
   double weighted_volume() const;  ///< m, the trace of `second`
 };
 
-/// What broken bonds leave in the sums of their family: only their elastic extension is gone, so that e = e_p of each.
+/// What broken bonds leave in the sums of a family that can flow: a broken bond keeps the extension e that it would
+/// have without stress, its plastic extension when it broke.
 struct BrokenExtension {
-  Mandel fit{};       ///< sum omega xi N e_p weight; its trace is sum omega xi e_p weight
-  double square = 0;  ///< sum omega e_p^2 weight
+  Mandel fit{};       ///< sum omega xi N e weight; its trace is sum omega xi e weight
+  double square = 0;  ///< sum omega e^2 weight
+  Mandel second{};    ///< sum omega xi^2 N weight
+};
+/// The same of e - e_p: zero when a bond breaks; from then on it flows with the others.
+struct BrokenElastic {
+  Mandel fit{};
+  double square = 0;
 };
 
 /// In place of m in alpha: makes the energy alpha/2 sum w (e - theta xi/d)^2 of a uniform strain right on average over

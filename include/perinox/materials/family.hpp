@@ -17,15 +17,16 @@ struct Family {
   double weighted_volume = 0;            ///< m = sum omega xi^2 weight (Eq. 8)
   double deviatoric_volume = 0;          ///< in place of m in alpha and the yield value; 0: m
   double continuum_weighted_volume = 0;  ///< m of a full continuous neighbourhood
-  double broken_volume = 0;              ///< share of m that belongs to broken bonds, of which e = e_p
+  double broken_volume = 0;              ///< share of m that belongs to broken bonds
   bonds::BrokenExtension broken_extension;
+  bonds::BrokenElastic broken_elastic;
   /// Of a point whose strain is fitted; null: the plain formulas.
   const bonds::Moment* moment = nullptr;
   const double* basis = nullptr;  ///< [count * mandel_size] xi N, length; with a moment only
 };
 
 /// All that an ordinary material's point formulas need of a family: three sums over its bonds, a . b = sum a b weight.
-/// A broken bond has lost its elastic extension and no more: e = e_p, as it was when it broke.
+/// A broken bond has lost its elastic extension and no more: it is in the sums with the e = e_p that it broke with.
 struct FamilySums {
   double extension = 0;  ///< (omega xi) . e
   double plastic = 0;    ///< (omega xi) . e_p
@@ -40,13 +41,16 @@ struct FamilySums {
 
   /// Adds broken bonds, volume being their share of m, to the sums of the others. Those of a fit are not concerned:
   /// they are added to before.
-  void add_broken(double volume, const bonds::BrokenExtension& bonds) {
-    double along = 0;
-    for (int k = 0; k < dimension; ++k) along += bonds.fit[static_cast<std::size_t>(k)];
-    extension += along;
-    plastic += along;
-    square += shift * shift * volume;
-    total += shift * shift * volume - 2 * shift * along + bonds.square;
+  void add_broken(double volume, const bonds::BrokenExtension& all, const bonds::BrokenElastic& elastic) {
+    double whole = 0, part = 0;  // traces
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension); ++k) {
+      whole += all.fit[k];
+      part += elastic.fit[k];
+    }
+    extension += whole;
+    plastic += whole - part;
+    square += shift * shift * volume - 2 * shift * part + elastic.square;
+    total += shift * shift * volume - 2 * shift * whole + all.square;
   }
 
   /// What stands for m in alpha = d(d+2) mu/m and in the yield value: m, unless a surface correction says otherwise.

@@ -47,6 +47,8 @@ class Committed {
   const PlasticExtension& plastic() const { return *plastic_; }
   /// The same, to be kept by a tangent.
   std::shared_ptr<const PlasticExtension> shared_plastic() const { return plastic_; }
+  /// Of the broken bonds of owned particle i.
+  bonds::BrokenElastic broken_elastic(const Scene& scene, LocalIndex i) const;
   /// [owned] dilatation/d; what strains are measured from, so that little cancels.
   const std::vector<double>& mean() const { return mean_; }
   /// Differs between any two states.
@@ -61,12 +63,14 @@ class Committed {
 
  private:
   static std::uint64_t new_version();
+  void flow_of_broken(const Scene& scene, const Trial& trial);
 
   double t_ = 0;
   std::vector<double> displacement_;
   std::vector<double> point_history_;
   std::vector<double> bond_history_;
   std::vector<double> mean_;
+  std::vector<bonds::BrokenElastic> broken_elastic_;  ///< [owned], or empty: zero
   std::shared_ptr<PlasticExtension> plastic_;
   std::uint64_t version_ = 0;
 };
