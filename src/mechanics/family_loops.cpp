@@ -19,16 +19,17 @@ materials::FamilySums family_sums(const Scene& scene, const Committed& committed
   sums.shift = committed.mean()[i];
   sums.dimension = scene.dimension();
   const bonds::Families& families = scene.families();
-  if (!families.broken_volume.empty()) {
+  if (!families.broken_extension.empty()) {
     const auto at = static_cast<std::size_t>(i);
-    const bonds::BrokenExtension none;
-    const bonds::BrokenExtension& kept = families.broken_extension.empty() ? none : families.broken_extension[at];
+    const bonds::BrokenExtension& kept = families.broken_extension[at];
     const bonds::BrokenElastic elastic = committed.broken_elastic(scene, i);
     sums.add_broken(families.broken_volume[at], kept, elastic);
     for (std::size_t k = 0; k < kept.fit.size(); ++k) {
       of_fit[k] += kept.fit[k];
       plastic_fit[k] += kept.fit[k] - elastic.fit[k];
     }
+  } else if (!families.broken_volume.empty()) {
+    sums.add_broken(families.broken_volume[static_cast<std::size_t>(i)], {}, {});
   }
   sums.weighted_volume = families.weighted_volume[i];
   if (!families.deviatoric_volume.empty()) sums.corrected_volume = families.deviatoric_volume[i];
