@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "perinox/mechanics/family_loops.hpp"
@@ -107,6 +108,24 @@ Memory memory_of(const mechanics::Scene& scene) {
   return memory;
 }
 
+/// The line about particles that have not a whole cell; "" if all have.
+std::string parts_of_cells(const body::Body& body) {
+  if (body.spacing == 0) return "";
+  const double whole = std::pow(body.spacing, body.dimension);
+  double least = 1, most = 1;
+  long long count = 0;
+  for (LocalIndex i = 0; i < body.owned; ++i) {
+    const double part = body.volume[i] / whole;
+    least = std::min(least, part);
+    most = std::max(most, part);
+    if (std::abs(part - 1) > 1e-12) ++count;
+  }
+  count = body.communicator.sum(count);
+  if (count == 0) return "";
+  return fmt::format("  surfaces cut cells: {} particles stand for {:.2f} to {:.2f} of one\n", count,
+                     body.communicator.min(least), body.communicator.max(most));
+}
+
 }  // namespace
 
 SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, const body::PartitionReport& partition) {
@@ -181,6 +200,7 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
     out +=
         "  no strain fitted: every family is a whole one, cannot tell strains apart, or has a material "
         "without a fit\n";
+  out += parts_of_cells(body);
   out += "memory, all ranks\n";
   const auto line = [&](const char* what, double value) {
     out += fmt::format("  {}: {}, {:.0f} bytes a particle\n", what, bytes(value), value / particles);

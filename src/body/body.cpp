@@ -137,6 +137,16 @@ std::vector<int> material_indices(const deck::Deck& deck) {
   return indices;
 }
 
+double common_spacing(const deck::Deck& deck) {
+  const double first = deck.body.front().spacing;
+  return std::all_of(deck.body.begin(), deck.body.end(),
+                     [&](const deck::BodyPart& part) {
+                       return part.spacing == first && !std::holds_alternative<deck::CloudFile>(part.shape.form);
+                     })
+             ? first
+             : 0;
+}
+
 void append(Body& body, const std::vector<Particle>& particles, const std::vector<int>& materials) {
   for (const Particle& particle : particles) {
     body.id.push_back(particle.id);
@@ -156,6 +166,7 @@ Body build(const deck::Deck& deck, const Communicator& communicator, double reac
   body.communicator = communicator;
   body.dimension = deck::unknowns(deck.dimension);
   body.reach = reach;
+  body.spacing = common_spacing(deck);
   const std::vector<int> materials = material_indices(deck);
 
   const double memory = machine_memory(communicator);

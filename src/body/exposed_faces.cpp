@@ -8,6 +8,8 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "curved_faces.hpp"
+
 namespace perinox::body {
 
 namespace {
@@ -75,13 +77,14 @@ std::vector<FaceShare> exposed_faces(const deck::Deck& deck, const Body& body, c
     }
     return lattices[static_cast<std::size_t>(number)];
   };
+  CurvedFaces curved(deck, body);
   // How many particles share each face, of every particle in the set; decided by its owner, known to all.
   std::vector<double> layers(static_cast<std::size_t>(body.local()) * sides, 0.0);
   double faces = 0;
   for (const LocalIndex i : set)
     for (int face = 0; face < sides; ++face) {
       const int axis = face / 2, side = face % 2 == 0 ? 1 : -1;
-      if (lattice(i).from(body.position3(i), axis, side) >= 0) continue;
+      if (lattice(i).from(body.position3(i), axis, side) >= 0 || curved.replaces(i, axis, side)) continue;
       const int in_reach = 1 + static_cast<int>(std::floor(body.reach / spacing(i) + 1e-9));
       int count = 1;
       while (count < std::min(most_layers, in_reach) && lattice(i).from(body.position3(i), axis, -side * count) >= 0)
@@ -89,12 +92,12 @@ std::vector<FaceShare> exposed_faces(const deck::Deck& deck, const Body& body, c
       layers[static_cast<std::size_t>(i) * sides + face] = count;
       ++faces;
     }
-  if (!(body.communicator.sum(faces) > 0))
+  std::vector<FaceShare> shares = curved.shares(set);
+  if (!(body.communicator.sum(faces + static_cast<double>(shares.size())) > 0))
     body.communicator.agree_on_input_error(fmt::format(
         "{}: no particle of the set lies at the surface; take the outermost layer into it", location.text()));
   body.halo.update_ghosts(layers.data(), sides);
 
-  std::vector<FaceShare> shares;
   for (LocalIndex i = 0; i < body.local(); ++i)
     for (int face = 0; face < sides; ++face) {
       const auto count = static_cast<int>(layers[static_cast<std::size_t>(i) * sides + face]);
@@ -104,7 +107,8 @@ std::vector<FaceShare> exposed_faces(const deck::Deck& deck, const Body& body, c
         if (behind < 0 || behind >= body.owned) continue;
         deck::Point center = body.position3(i);
         center[static_cast<std::size_t>(axis)] += 0.5 * side * spacing(i);
-        shares.push_back({behind, axis, side, center, share[count][k] * std::pow(spacing(i), d - 1)});
+        const double area = share[count][k] * std::pow(spacing(i), d - 1);
+        shares.push_back({behind, axis, side, center, area, area});
       }
     }
   std::sort(shares.begin(), shares.end(), [&](const FaceShare& a, const FaceShare& b) {

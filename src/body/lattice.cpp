@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perinox/body/cut_cells.hpp"
 #include "perinox/body/shape.hpp"
 #include "perinox/body/size.hpp"
 #include "perinox/body/together.hpp"
@@ -49,7 +50,8 @@ std::vector<Particle> generate(const deck::Deck& deck, int part, GlobalId first_
 
   const long long begin = lattice.rows() * communicator.rank() / communicator.size();
   const long long end = lattice.rows() * (communicator.rank() + 1) / communicator.size();
-  const double volume = lattice.volume();
+  const double whole = lattice.volume();
+  CutCells cells(body, dimension);
   std::vector<Particle> particles;
   for (long long row = begin; row < end; ++row) {
     deck::Point point = lattice.first;
@@ -57,7 +59,10 @@ std::vector<Particle> generate(const deck::Deck& deck, int part, GlobalId first_
     point[2] += static_cast<double>(row / lattice.cells[1]) * lattice.spacing;
     for (long long i = 0; i < lattice.cells[0]; ++i) {
       point[0] = lattice.first[0] + static_cast<double>(i) * lattice.spacing;
-      if (contains(body.shape, point, dimension)) particles.push_back({0, point, volume, part});
+      if (!contains(body.shape, point, dimension)) continue;
+      const double volume =
+          cells.none() ? whole : whole * cells.volume({i, row % lattice.cells[1], row / lattice.cells[1]});
+      particles.push_back({0, point, volume, part});
     }
   }
   const auto count = static_cast<long long>(particles.size());

@@ -23,11 +23,11 @@ std::optional<CellGrid> find_grid(const body::Body& body) {
   const int d = body.dimension;
   CellGrid grid;
   grid.dimension = d;
-  grid.spacing = body::edge_of(body.volume[0], d);
+  grid.spacing = body.spacing > 0 ? body.spacing : body::edge_of(body.volume[0], d);
   const double h = grid.spacing;
   const double tiny = 1e-12 * body.volume[0];
   for (const double volume : body.volume)
-    if (std::abs(volume - body.volume[0]) > tiny) return std::nullopt;
+    if (body.spacing == 0 && std::abs(volume - body.volume[0]) > tiny) return std::nullopt;
 
   std::array<double, 3> low{}, high{};
   for (int c = 0; c < d; ++c) low[c] = high[c] = body.reference[c];

@@ -176,8 +176,9 @@ class Stencil : public Candidates {
           const double length = grid.spacing * std::sqrt(static_cast<double>(x * x + y * y + z * z));
           if (length > reach * (1 + 1e-10)) continue;
           const double between[3] = {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-          const FoundBond bond = rule.bond(0, between, length, grid.spacing);
+          FoundBond bond = rule.bond(0, between, length, grid.spacing);
           if (moment(bond) <= 0) continue;
+          bond.weight /= body.volume[0];  // the share, until the neighbour is known
           steps_.push_back({x, y, z});
           bonds_.push_back(bond);
         }
@@ -192,6 +193,7 @@ class Stencil : public Candidates {
       ascending = ascending && (found.empty() || body_.id[found.back().neighbor] < body_.id[j]);
       found.push_back(bonds_[k]);
       found.back().neighbor = j;
+      found.back().weight *= body_.volume[j];
     }
     if (ascending) return;
     std::sort(found.begin(), found.end(),

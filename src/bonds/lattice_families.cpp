@@ -13,8 +13,9 @@ bool forward(const std::array<int, 3>& step) { return std::tie(step[2], step[1],
 constexpr std::int64_t tile = 8;
 }  // namespace
 
-LatticeFamilies::LatticeFamilies(const body::Body& body, CellGrid grid)
-    : grid_(std::move(grid)), volume_(body.volume[0]), owned_(body.owned) {
+LatticeFamilies::LatticeFamilies(const body::Body& body, CellGrid grid) : grid_(std::move(grid)), owned_(body.owned) {
+  const double h = grid_.spacing;
+  volume_ = body.spacing == 0 ? body.volume[0] : body.dimension == 3 ? h * h * h : h * h;
   reach_ = static_cast<int>(body.reach / grid_.spacing * (1 + 1e-10));
   const auto groups = static_cast<std::size_t>(grid_.size() / lanes);
   touches_ghost_.assign(groups, 0);
@@ -42,7 +43,7 @@ int LatticeFamilies::number_of(const std::array<int, 3>& step) {
   return number;
 }
 
-void LatticeFamilies::receive(LocalIndex i, const std::vector<FoundBond>& family) {
+void LatticeFamilies::receive(LocalIndex i, const std::vector<FoundBond>& family, const body::Body& body) {
   const std::int64_t own = grid_.cell[i];
   const auto at = grid_.position(own);
   for (const FoundBond& found : family) {
@@ -57,7 +58,7 @@ void LatticeFamilies::receive(LocalIndex i, const std::vector<FoundBond>& family
     const int number = number_of(step);
     StencilOffset& offset = offsets_[number];
     offset.length = found.length;
-    offset.share = found.weight / volume_;
+    offset.share = found.weight / body.volume[found.neighbor];
     offset.influence = found.influence;
     bits_[number][cell / lanes] |= static_cast<std::uint8_t>(1u << (cell % lanes));
     if (found.neighbor >= owned_) touches_ghost_[cell / lanes] = 1;

@@ -29,6 +29,19 @@ BodyPart convert_body(const Value& value, Dimension dimension) {
   return part;
 }
 
+void convert_boundary_cells(const Value& word, Quadrature quadrature, BodyPart& part) {
+  const bool cloud = std::holds_alternative<CloudFile>(part.shape.form);
+  if (word.text() == "cut" && cloud)
+    refuse(word.location(),
+           fmt::format("the body {} is a point cloud, which has no cells that could be cut; leave boundary_cells out",
+                       part.name));
+  if (word.text() == "cut" && quadrature != Quadrature::position_aware)
+    refuse(word.location(),
+           "boundary_cells: cut needs quadrature: position-aware, which makes up for uneven volumes; "
+           "change one of the two");
+  part.cut_cells = word.text() != "whole" && quadrature == Quadrature::position_aware && !cloud;
+}
+
 Horizon convert_horizon(const Value& value) {
   Horizon horizon;
   horizon.location = value.location();
@@ -202,6 +215,8 @@ Deck convert(Value checked, const std::string& file) {
   deck.horizon = convert_horizon(checked.at("horizon"));
   deck.influence = convert_word<Influence>(checked, "influence", words::influence);
   deck.quadrature = convert_word<Quadrature>(checked, "quadrature", words::quadrature);
+  for (std::size_t k = 0; k < deck.body.size(); ++k)
+    convert_boundary_cells(checked.at("body").items()[k].at("boundary_cells"), deck.quadrature, deck.body[k]);
   deck.small_strain = checked.at("deformation").text() == "small";
   for (const Value& crack : checked.at("cracks").items()) deck.cracks.push_back(convert_crack(crack, deck.dimension));
   for (const auto& [name, value] : checked.at("materials").entries())

@@ -59,7 +59,12 @@ Key declare_body() {
       "", "One body.",
       {required(text_key("name", "Name of the body; sets, loads and histories may refer to it.")), shape,
        positive_key("spacing", "length", "Distance of the particles on the lattice; left out only for a point cloud."),
-       required(text_key("material", "Name of one of the materials."))});
+       required(text_key("material", "Name of one of the materials.")),
+       word_key(
+           "boundary_cells", words::boundary_cells, "auto",
+           "Cells of the lattice that the shape's surface cuts: by the part of them that is inside (cut), or whole "
+           "if their centre is inside and not at all otherwise (whole); auto is cut with quadrature "
+           "position-aware, which alone can do with it, and whole with the others.")});
   element.place = "a body";
   Key key = required(list_key("body", "The bodies, each filled with particles.", element));
   key.minimum_items = 1;

@@ -9,6 +9,7 @@ namespace perinox::deck::words {
 
 inline const std::vector<std::string> dimension{"3", "plane-strain", "plane-stress"};
 inline const std::vector<std::string> influence{"constant", "inverse", "polynomial"};
+inline const std::vector<std::string> boundary_cells{"auto", "cut", "whole"};
 inline const std::vector<std::string> deformation{"finite", "small"};
 inline const std::vector<std::string> quadrature{"whole", "partial-volume", "taper-inside", "position-aware",
                                                  "surface-energy"};

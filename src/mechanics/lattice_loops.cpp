@@ -40,7 +40,18 @@ LatticeLoops::LatticeLoops(const Scene& scene, Purpose purpose)
     guard_ = std::max(guard_, std::abs(o.cell) + line);
   }
   for (const auto& block : families_.blocks()) blocks_.push_back({block.cell, block.mask});
-  if (!fitted_.empty()) find_fitted_blocks();
+  find_parts(scene.body().volume);
+  fits_ = !fitted_.empty() || !part_.empty();
+  if (fits_) find_fitted_blocks();
+}
+
+void LatticeLoops::find_parts(const std::vector<double>& volumes) {
+  const double whole = families_.volume();
+  if (std::none_of(volumes.begin(), volumes.end(), [&](double v) { return std::abs(v - whole) > 1e-12 * whole; }))
+    return;
+  require(part_, 1, place::yielded + 1);
+  for (LocalIndex i = 0; i < local_; ++i)
+    part_[0][families_.grid().cell[i]] = volumes[static_cast<std::size_t>(i)] / whole;
 }
 
 void LatticeLoops::bonds_changed() {
@@ -50,6 +61,9 @@ void LatticeLoops::bonds_changed() {
 void LatticeLoops::find_fitted_blocks() {
   std::vector<char> fitted(static_cast<std::size_t>(families_.grid().size()), 0);
   for (const LocalIndex i : fitted_) fitted[static_cast<std::size_t>(families_.grid().cell[i])] = 1;
+  if (!part_.empty())  // the sweeps ask for them there only
+    for (const std::int64_t cell : families_.grid().cell)
+      if (std::abs(part_[0][cell] - 1) > 1e-12) fitted[static_cast<std::size_t>(cell)] = 1;
   const auto cells = static_cast<std::int64_t>(fitted.size());
   const auto any = [&](std::int64_t cell) {
     for (std::int64_t k = cell; k < cell + kernels::group; ++k)
@@ -72,7 +86,7 @@ void LatticeLoops::find_fitted_blocks() {
 }
 
 void LatticeLoops::put_fits(const bonds::Mandel* values, GridArrays& arrays, int first) {
-  if (fitted_.empty()) return;
+  if (!fits_) return;
   require(arrays, bonds::mandel_size(d_), first);
   for (std::size_t m = 0; m < fitted_.size(); ++m)
     for (int k = 0; k < bonds::mandel_size(d_); ++k) arrays[k][families_.grid().cell[fitted_[m]]] = values[m][k];
@@ -86,7 +100,8 @@ bonds::Mandel LatticeLoops::take_fit(std::size_t m, int array) const {
 
 std::size_t LatticeLoops::bytes() const {
   return u_.bytes() + x_.bytes() + law_.bytes() + mean_.bytes() + out_.bytes() + state_.bytes() + change_.bytes() +
-         yielded_.bytes() + fitted_.size() * (sizeof(LocalIndex) + sizeof(slope_[0]) + sizeof(modulus_[0])) +
+         yielded_.bytes() + part_.bytes() +
+         fitted_.size() * (sizeof(LocalIndex) + sizeof(slope_[0]) + sizeof(modulus_[0])) +
          fitted_blocks_.size() * sizeof(fitted_blocks_[0]) + fit_marks_.size() +
          (dilatation_.size() + flow_.size() + ghosts_.size() + plastic_.size()) * sizeof(double) +
          blocks_.size() * sizeof(kernels::Block);
@@ -102,8 +117,9 @@ LoopMemory LatticeLoops::expected() const {
                    static_cast<std::size_t>(cells) * sizeof(double);
   if (moved_) memory.tangent += arrays(d_);
   if (back_stress_) memory.evaluation += arrays(1);
+  if (!part_.empty()) memory.evaluation += arrays(1), memory.tangent += arrays(1);
   if (back_stress_ && !small_) memory.tangent += arrays(1);
-  if (!fitted_.empty()) {
+  if (fits_) {
     const std::size_t lists =
         fitted_.size() * sizeof(LocalIndex) + blocks_.size() * sizeof(fitted_blocks_[0]) + fit_marks_.size();
     memory.evaluation += arrays(bonds::mandel_size(d_)) + lists;
@@ -118,10 +134,10 @@ LoopMemory LatticeLoops::expected() const {
 }
 
 int LatticeLoops::strain_results() const {
-  return fitted_.empty() ? 3 : kernels::first_plastic_fit + (plastic_body_ ? bonds::mandel_size(d_) : 0);
+  return !fits_ ? 3 : kernels::first_plastic_fit + (plastic_body_ ? bonds::mandel_size(d_) : 0);
 }
 int LatticeLoops::product_results() const {
-  return fitted_.empty() ? std::max(d_, 2) : kernels::first_fit_change + bonds::mandel_size(d_);
+  return !fits_ ? std::max(d_, 2) : kernels::first_fit_change + bonds::mandel_size(d_);
 }
 
 void LatticeLoops::require(GridArrays& arrays, int count, int first) {
@@ -145,6 +161,7 @@ kernels::LatticeView LatticeLoops::view(double* const* plastic, Range range) con
   if (!change_.empty())
     for (int k = 0; k < bonds::mandel_size(d_); ++k) view.change[k] = change_[k];
   view.volume = families_.volume();
+  view.part = part_.empty() ? nullptr : part_[0];
   return view;
 }
 
@@ -152,6 +169,10 @@ void LatticeLoops::put_yielded(const double* values) {
   if (!values) return;
   require(yielded_, 1, place::yielded);
   put(values, 1, 0, owned_, yielded_, 0);
+}
+
+double LatticeLoops::volume_of(LocalIndex i) const {
+  return part_.empty() ? families_.volume() : families_.volume() * part_[0][families_.grid().cell[i]];
 }
 
 const double* LatticeLoops::yielded_of_tangent() const { return yielded_.empty() ? law_[kernels::shear] : yielded_[0]; }
@@ -246,7 +267,7 @@ void LatticeLoops::linearise(const double* displacement, const TangentLaw& law, 
   require(law_, small_ ? 3 : 4, place::law);
   require(out_, product_results(), place::out);
   if (!small_) put_fits(law.state.data(), state_, place::state);
-  if (!fitted_.empty()) require(change_, bonds::mandel_size(d_), place::change);
+  if (fits_) require(change_, bonds::mandel_size(d_), place::change);
   keep_fits(law);
   if (!small_) put(law.radial.data(), 1, 0, owned_, law_, kernels::radial);
   put(law.shear.data(), 1, 0, owned_, law_, kernels::shear);
@@ -307,7 +328,7 @@ kernels::LatticeView LatticeLoops::product_view(Bonds bonds) const {
 void LatticeLoops::put_direction(const double* x, LocalIndex first, LocalIndex last) { put(x, d_, first, last, x_, 0); }
 
 void LatticeLoops::clear_sums() {
-  const int sums = fitted_.empty() ? 2 : product_results();
+  const int sums = !fits_ ? 2 : product_results();
   for (int k = 0; k < sums; ++k) out_.clear(k);
 }
 
@@ -345,7 +366,7 @@ void LatticeLoops::take_forces(LocalIndex first, LocalIndex last, double* y) con
 
 void LatticeLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
   const int n = bonds::mandel_size(d_);
-  const int results = fitted_.empty() ? n + d_ + (plastic_.empty() ? 0 : d_) : kernels::first_fit_gradient + n * d_;
+  const int results = !fits_ ? n + d_ + (plastic_.empty() ? 0 : d_) : kernels::first_fit_gradient + n * d_;
   GridArrays out;
   require(out, results, place::x);
   put(law.dilatation.data(), 1, 0, owned_, law_, kernels::along);
@@ -360,7 +381,7 @@ void LatticeLoops::diagonal_blocks(const TangentLaw& law, double* blocks) {
   std::vector<double> entries(static_cast<std::size_t>(results));
   for (int i = 0; i < local_; ++i) {
     for (int k = 0; k < results; ++k) entries[k] = out[k][families_.grid().cell[i]];
-    const OwnTerms own = i < owned_ ? own_terms(law, i, fit_of(i), families_.volume()) : OwnTerms();
+    const OwnTerms own = i < owned_ ? own_terms(law, i, fit_of(i), volume_of(i)) : OwnTerms();
     finish_block(d_, entries.data(), !plastic_.empty(), i < owned_ ? &own : nullptr,
                  blocks + static_cast<std::size_t>(i) * d_ * d_);
   }

@@ -45,7 +45,10 @@ class LatticeLoops : public FamilyLoops {
   const double* yielded_of_tangent() const;
   void put_fits(const bonds::Mandel* values, GridArrays& arrays, int first);
   bonds::Mandel take_fit(std::size_t m, int array) const;
+  /// Which particles have parts of their cells only. volumes: [local].
+  void find_parts(const std::vector<double>& volumes);
   void find_fitted_blocks();
+  double volume_of(LocalIndex i) const;
   int strain_results() const;
   int product_results() const;
 
@@ -60,6 +63,8 @@ class LatticeLoops : public FamilyLoops {
   std::vector<std::uint8_t> fit_marks_;      ///< one an offset; empty: nothing is fitted
   GridArrays u_, x_, law_, mean_, state_, change_, out_;
   GridArrays yielded_;                     ///< empty without kinematic hardening
+  GridArrays part_;                        ///< what particles have of a cell's volume; empty: all of it everywhere
+  bool fits_ = false;                      ///< some block is fitted, or has parts of cells
   std::vector<double> dilatation_, flow_;  ///< [grid] coefficients of the tangent's rank-one terms
   std::vector<double*> plastic_;           ///< [blocks] for the products; empty: nothing flows or has flowed
   std::vector<double> none_;               ///< the plastic extension of a block that flows for the first time

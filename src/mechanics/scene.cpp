@@ -38,7 +38,7 @@ Scene::Scene(body::Body body, const bonds::Bonds& bonds, std::vector<std::unique
   auto grid = layout == Layout::automatic ? bonds::find_grid(body_) : std::nullopt;
   if (grid) {
     lattice_ = std::make_unique<bonds::LatticeFamilies>(body_, std::move(*grid));
-    for (LocalIndex i = 0; i < body_.owned; ++i) lattice_->receive(i, bonds.family(i));
+    for (LocalIndex i = 0; i < body_.owned; ++i) lattice_->receive(i, bonds.family(i), body_);
     lattice_->complete();
   } else {
     const std::vector<LocalIndex> order = bonds::curve_order(body_);
@@ -57,7 +57,7 @@ Scene::Scene(const deck::Deck& deck, body::Body body, double horizon,
     lattice_ = std::make_unique<bonds::LatticeFamilies>(body_, std::move(*grid));
     families_ = bonds::find_families(
         deck, body_, horizon, &lattice_->grid(), all_owned(body_),
-        [&](LocalIndex i, const std::vector<bonds::FoundBond>& family) { lattice_->receive(i, family); });
+        [&](LocalIndex i, const std::vector<bonds::FoundBond>& family) { lattice_->receive(i, family, body_); });
     lattice_->complete();
   } else {
     const std::vector<LocalIndex> order = bonds::curve_order(body_);
@@ -198,7 +198,8 @@ const bonds::Bonds& Scene::bonds() const {
       family.clear();
       for (const auto& place : places) {
         const bonds::StencilOffset& offset = lattice_->offsets()[place.offset];
-        family.push_back({place.neighbor, offset.length, offset.share * lattice_->volume(), offset.influence});
+        family.push_back(
+            {place.neighbor, offset.length, offset.share * body_.volume[place.neighbor], offset.influence});
       }
       add_family(all, family, body_);
     }

@@ -22,7 +22,11 @@ bool on_surface(deck::LoadKind kind) { return kind == deck::LoadKind::traction |
 std::vector<body::FaceShare> faces_of(const deck::Deck& deck, const body::Body& body, const deck::Load& load,
                                       const std::vector<LocalIndex>& set) {
   std::vector<body::FaceShare> faces = body::exposed_faces(deck, body, set, load.location);
-  if (!load.facing) return faces;
+  if (!load.facing) {
+    if (load.kind == deck::LoadKind::traction)
+      for (body::FaceShare& face : faces) face.area = face.size;
+    return faces;
+  }
   const auto along = [&](const body::FaceShare& face) {
     return face.side * (*load.facing)[static_cast<std::size_t>(face.axis)];
   };

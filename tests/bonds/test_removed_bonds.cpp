@@ -26,7 +26,7 @@ std::vector<FoundBond> family_of(const Bonds& bonds, LocalIndex i) {
 
 LatticeFamilies lattice_of(const Bonded& both) {
   LatticeFamilies lattice(both.body, *find_grid(both.body));
-  for (LocalIndex i = 0; i < both.body.owned; ++i) lattice.receive(i, family_of(both.bonds, i));
+  for (LocalIndex i = 0; i < both.body.owned; ++i) lattice.receive(i, family_of(both.bonds, i), both.body);
   lattice.complete();
   return lattice;
 }

@@ -29,6 +29,8 @@ std::map<std::string, deck::Deck> scenes() {
   all["cube"].quadrature = deck::Quadrature::partial_volume;
   all["ball"] = deck_of(deck::Sphere{{1, 2, 3}, 5.2});
   all["ball"].influence = deck::Influence::polynomial;
+  all["cut ball"] = deck_of(deck::Sphere{{1, 2, 3}, 5.2});
+  all["cut ball"].body[0].cut_cells = true;
   all["plate"] =
       deck_of(deck::PlateWithHole{{0, 0, 0}, {20, 12, 0}, {8, 6, 0}, 2.5}, deck::Dimension::plane_stress, 0.5);
   add_crack(all["plate"], deck::CrackSegment{{14, 0, 0}, {14, 5, 0}});

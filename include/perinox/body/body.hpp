@@ -18,6 +18,7 @@ struct Body {
   int ghosts = 0;
   GlobalId total = 0;  ///< particles on all ranks
   double reach = 0;    ///< length: every particle this near to an owned one is on this rank
+  double spacing = 0;  ///< length: of the lattice that all bodies lie on alike; 0: clouds, or lattices that differ
 
   std::vector<GlobalId> id;       ///< [owned + ghosts]
   std::vector<double> reference;  ///< [(owned + ghosts) * dimension] position X, length

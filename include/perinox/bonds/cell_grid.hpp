@@ -37,8 +37,9 @@ struct CellGrid {
   }
 };
 
-/// The grid, if all particles of this rank, ghosts too, have the same volume V (to 1e-12) and lie on a lattice of
-/// spacing V^(1/d) (to 1e-11 of it, and the rounding of the coordinates), and fill at least a sixteenth of its box.
+/// The grid, if all particles of this rank, ghosts too, lie on a lattice of the body's spacing (to 1e-11 of it, and the
+/// rounding of the coordinates) and fill at least a sixteenth of its box. A body without a spacing has one if all its
+/// volumes are V (to 1e-12): V^(1/d).
 std::optional<CellGrid> find_grid(const body::Body& body);
 
 }  // namespace perinox::bonds

@@ -27,11 +27,11 @@ class LatticeFamilies {
 
   LatticeFamilies(const body::Body& body, CellGrid grid);
   /// To be called for every owned particle; then complete().
-  void receive(LocalIndex i, const std::vector<FoundBond>& family);
+  void receive(LocalIndex i, const std::vector<FoundBond>& family, const body::Body& body);
   void complete();
 
   const CellGrid& grid() const { return grid_; }
-  double volume() const { return volume_; }
+  double volume() const { return volume_; }  ///< of a whole cell
   const std::vector<StencilOffset>& offsets() const { return offsets_; }
   /// Blocks whose bonds join owned particles only come first: [0, interior()).
   const std::vector<Block>& blocks() const { return blocks_; }

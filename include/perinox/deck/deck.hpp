@@ -64,6 +64,8 @@ struct BodyPart {
   /// Lattice spacing; for a cloud optional (0: not given).
   double spacing = 0;
   std::string material;
+  /// Cells that the shape's surface cuts count with the part of them that is inside, not whole or not at all.
+  bool cut_cells = false;
 };
 
 // --- bonds --------------------------------------------------------------------------------------------------------

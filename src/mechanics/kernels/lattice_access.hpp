@@ -5,7 +5,8 @@
 
 namespace perinox::mechanics::kernels::PERINOX_KERNELS {
 
-template <bool masked>
+/// cut: particles have parts of their cells' volumes.
+template <bool masked, bool cut>
 class LatticeAccess {
  public:
   PERINOX_INLINE LatticeAccess(const LatticeView& view, double* e_p, const std::uint8_t* fitted, std::int64_t here,
@@ -14,6 +15,7 @@ class LatticeAccess {
         o_(view.offsets[o]),
         e_p_(e_p + 2 * group * o),
         fitted_(fitted && fitted[o]),
+        here_(here),
         there_(here + o_.cell),
         mask_(mask) {
     // One cache line of plastic extension an end: ask for what comes next before it is needed.
@@ -40,10 +42,15 @@ class LatticeAccess {
   PERINOX_INLINE Vector inverse_root_of(Vector square) const {
     return inverse_root(square, o_.inverse * o_.inverse, o_.inverse);
   }
-  PERINOX_INLINE double pair() const { return o_.pair; }
+  PERINOX_INLINE auto pair() const {
+    if constexpr (cut)
+      return o_.pair * part(here_) * part(there_);
+    else
+      return o_.pair;
+  }
   /// Weight of the bond in the sums of the near end, of the far end.
-  PERINOX_INLINE double influence_near() const { return o_.influence; }
-  PERINOX_INLINE double influence_far() const { return o_.influence; }
+  PERINOX_INLINE auto influence_near() const { return of_part(o_.influence, there_); }
+  PERINOX_INLINE auto influence_far() const { return of_part(o_.influence, here_); }
   PERINOX_INLINE bool fitted() const { return fitted_; }
   template <int d>
   PERINOX_INLINE void basis(Vector* xi_n) const {
@@ -57,8 +64,8 @@ class LatticeAccess {
   PERINOX_INLINE void change(Vector* to) const {
     for (int k = 0; k < d * (d + 1) / 2; ++k) to[k] = load(g_.change[k] + there_);
   }
-  PERINOX_INLINE double volume_near() const { return g_.volume; }
-  PERINOX_INLINE double volume_far() const { return g_.volume; }
+  PERINOX_INLINE auto volume_near() const { return of_part(g_.volume, here_); }
+  PERINOX_INLINE auto volume_far() const { return of_part(g_.volume, there_); }
 
   PERINOX_INLINE double* plastic_near() const { return e_p_; }
   PERINOX_INLINE double* plastic_far() const { return e_p_ + group; }
@@ -72,11 +79,19 @@ class LatticeAccess {
   }
 
  private:
+  PERINOX_INLINE Vector part(std::int64_t cell) const { return load(g_.part + cell); }
+  PERINOX_INLINE auto of_part(double whole, std::int64_t cell) const {
+    if constexpr (cut)
+      return whole * part(cell);
+    else
+      return whole;
+  }
+
   const LatticeView& g_;
   const Offset& o_;
   double* e_p_;
   bool fitted_;
-  std::int64_t there_;
+  std::int64_t here_, there_;
   unsigned mask_;
 };
 
@@ -110,18 +125,18 @@ class LatticeOwn {
 };
 
 /// One vector of cells: own values loaded, every offset, own results stored.
-template <class Sweep>
+template <class Sweep, bool cut = false>
 PERINOX_INLINE void visit_cells(const LatticeView& g, const Block& block, double* e_p, const std::uint8_t* fitted,
                                 int lane) {
   const std::int64_t here = block.cell + lane;
   const LatticeOwn own(g, here);
   Sweep sweep(own);
   if (block.mask < 0) {
-    for (int o = 0; o < g.offset_count; ++o) sweep.visit(LatticeAccess<false>(g, e_p, fitted, here, o, 0));
+    for (int o = 0; o < g.offset_count; ++o) sweep.visit(LatticeAccess<false, cut>(g, e_p, fitted, here, o, 0));
   } else {
     for (int o = 0; o < g.offset_count; ++o) {
       const unsigned mask = (static_cast<unsigned>(g.masks[block.mask + o]) >> lane) & ((1u << width) - 1);
-      if (mask) sweep.visit(LatticeAccess<true>(g, e_p, fitted, here, o, mask));
+      if (mask) sweep.visit(LatticeAccess<true, cut>(g, e_p, fitted, here, o, mask));
     }
   }
   sweep.finish(own);
@@ -136,11 +151,14 @@ void run(const LatticeView& g) {
     for (int lane = 0; lane < group; lane += width) {
       double* from = e_p ? e_p + lane : nullptr;
       const Block& block = g.blocks[b];
-      if (e_p)
-        fitted ? visit_cells<FittedFlowed>(g, block, from, fitted, lane)
-               : visit_cells<Flowed>(g, block, from, nullptr, lane);
+      if (fitted && g.part)
+        e_p ? visit_cells<FittedFlowed, true>(g, block, from, fitted, lane)
+            : visit_cells<Fitted, true>(g, block, from, fitted, lane);
+      else if (fitted)
+        e_p ? visit_cells<FittedFlowed>(g, block, from, fitted, lane)
+            : visit_cells<Fitted>(g, block, from, fitted, lane);
       else
-        fitted ? visit_cells<Fitted>(g, block, from, fitted, lane) : visit_cells<Plain>(g, block, from, nullptr, lane);
+        e_p ? visit_cells<Flowed>(g, block, from, nullptr, lane) : visit_cells<Plain>(g, block, from, nullptr, lane);
     }
   }
 }

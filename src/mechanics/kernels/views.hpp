@@ -45,7 +45,9 @@ struct LatticeView {
   /// end has. Null: nowhere.
   const std::int64_t* fitted = nullptr;
   const std::uint8_t* fit_marks = nullptr;
-  double volume = 0;
+  double volume = 0;  ///< of a whole cell
+  /// What particles have of a cell's volume, the same in every block that is not fitted; null: all of it everywhere.
+  const double* part = nullptr;
 
   const double* u[3] = {};       ///< displacement
   const double* x[4] = {};       ///< what a product is taken with; then, not for small strain, `yielded` of Law
