@@ -215,6 +215,21 @@ TEST(Read, FilesAreFoundFromTheDecksFolder) {
               ::testing::StartsWith("deck.yaml:2:34: a point cloud cannot be part of a union"));
 }
 
+TEST(Deck, CutsBoundaryCellsWhereTheQuadratureCanDoWithIt) {
+  const std::string aware = "quadrature=position-aware", whole = "quadrature=whole", cut = "body.0.boundary_cells=cut";
+  EXPECT_TRUE(read_base({aware}).body[0].cut_cells);
+  EXPECT_TRUE(read_base({aware, cut}).body[0].cut_cells);
+  EXPECT_FALSE(read_base({aware, "body.0.boundary_cells=whole"}).body[0].cut_cells);
+  EXPECT_FALSE(read_base({whole}).body[0].cut_cells);
+  EXPECT_EQ(fixture::message_of(fixture::base_deck, {whole, cut}),
+            "--set body.0.boundary_cells=cut: boundary_cells: cut needs quadrature: position-aware, which makes up for "
+            "uneven volumes; change one of the two");
+  const std::string cloud = "body.0.shape={file: " PERINOX_SOURCE_DIR "/inputs/imposed_field_points.csv}";
+  EXPECT_FALSE(read_base({aware, cloud}).body[0].cut_cells);
+  EXPECT_THAT(fixture::message_of(fixture::base_deck, {aware, cloud, cut}),
+              ::testing::HasSubstr("is a point cloud, which has no cells that could be cut"));
+}
+
 TEST(Override, ReplacesAndAddsValues) {
   EXPECT_EQ(read_base({"body.0.spacing=0.25"}).body[0].spacing, 0.25);
   EXPECT_EQ(read_base({"solver.linear.tolerance=1e-3"}).solver.linear.tolerance, 1e-3);

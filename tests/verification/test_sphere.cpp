@@ -151,12 +151,12 @@ steps: {{end: 1, count: 1}}
 TEST(Sphere, ElasticTube) {
   Verification table("sphere", "tube, plane strain, elastic: displacement", "Lame 1852");
   for (const int across : resolutions({25, 49, 97, 193}, {385, 769}))
-    EXPECT_LE(tube_error(table, "position-aware", across), 0.2);
+    EXPECT_LE(tube_error(table, "position-aware", across), 0.05);  // 0.045, 0.027, 0.012, 0.005
   for (const int across : resolutions({25, 49, 97, 193}, {385, 769})) tube_error(table, "whole", across);
 }
 
 TEST(Sphere, ElasticUnderPressure) {
-  // Over the goal of 1 % at every resolution that was run, and of first order at best.
+  // Over the goal of 1 % at every resolution that was run: 0.021 at 65 across, 0.012 at 97.
   Verification table("sphere", "elastic: displacement", "Lame 1852");
   for (const int across : resolutions({25, 33, 49}, {65, 97}))
     EXPECT_LE(lame_error(table, "position-aware", across), 0.05);  // 0.049, 0.041, 0.030
@@ -177,7 +177,7 @@ TEST(Sphere, LimitPressure) {
   Verification table("sphere", "limit pressure", "Hill 1950: 2 yield ln(b/a)");
   for (const int across : resolutions({25}, {33, 49, 65}))
     EXPECT_LE(std::abs(limit_error(table, "position-aware", across)),
-              across < 49 ? 0.09 : 0.02);                                              // 0.085, 0.048; 0.019
+              across < 49 ? 0.09 : 0.02);                                              // 0.085, 0.048; 0.019, 0.010
   for (const int across : resolutions({}, {33})) limit_error(table, "whole", across);  // at 25 no knee below 1.16
 }
 
