@@ -3,16 +3,21 @@
 #include <mpi.h>
 
 #include <Tpetra_Core.hpp>
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define PERINOX_LEAKS
+#endif
+#endif
+#ifdef PERINOX_LEAKS
 #include <sanitizer/lsan_interface.h>
 #endif
 
 int main(int argc, char** argv) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef PERINOX_LEAKS
   __lsan_disable();  // of what MPI loads and unloads while it starts, no name is left
 #endif
   const Tpetra::ScopeGuard guard(&argc, &argv);
-#ifdef __SANITIZE_ADDRESS__
+#ifdef PERINOX_LEAKS
   __lsan_enable();
 #endif
   ::testing::InitGoogleTest(&argc, argv);
@@ -23,9 +28,9 @@ int main(int argc, char** argv) {
     delete listeners.Release(listeners.default_result_printer());
   }
   int failed = RUN_ALL_TESTS();
-#ifdef __SANITIZE_ADDRESS__
-  // While MPI's components are still loaded, so that what they keep has names (fuzz/leaks.supp). scripts/sanitize.sh turns
-  // the look at the end off.
+#ifdef PERINOX_LEAKS
+  // While MPI's components are still loaded, so that what they keep has names (fuzz/leaks.supp). scripts/sanitize.sh
+  // turns the look at the end off.
   if (__lsan_do_recoverable_leak_check() != 0) failed = 1;
 #endif
   int failed_anywhere = 0;
