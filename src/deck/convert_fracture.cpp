@@ -46,7 +46,7 @@ Explicit convert_explicit(const Value& value) {
   Explicit motion;
   motion.location = value.location();
   motion.time_step = number_of(value, "time_step");
-  motion.safety = value.at("safety").number();
+  motion.safety = value.has("safety") ? value.at("safety").number() : 0;
   motion.damping = value.at("damping").number();
   if (value.has("contact"))
     motion.contact = Contact{value.at("contact").at("distance").number(), value.at("contact").at("stiffness").number()};

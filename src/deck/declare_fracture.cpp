@@ -82,13 +82,16 @@ Key declare_explicit() {
   distance.fallback = "0.9";
   Key stiffness = positive_key("stiffness", "-", "Of a pair in contact, times that of a bond between the two.");
   stiffness.fallback = "1";
+  Key safety = positive_key("safety", "-",
+                            "Time step over the largest stable one. Left out: 0.8, and 0.5 where a material can flow.");
+  safety.maximum = 1;
+  safety.required = false;
   Key key = map_key(
       "explicit", "Motion in time.",
       {positive_key("time_step", "time",
                     "Longest time step: the time between two rows is cut into equal ones. Left out: the largest stable "
                     "one times safety."),
-       share_key("safety", "0.8", "Time step over the largest stable one."),
-       not_negative_key("damping", "1/time", "0", "Mass-proportional damping."),
+       safety, not_negative_key("damping", "1/time", "0", "Mass-proportional damping."),
        map_key("contact", "Repulsion between particles that share no bond; left out: none.", {distance, stiffness})});
   key.fallback = "{}";
   key.example = "explicit: {safety: 0.7, contact: {}}";

@@ -165,6 +165,7 @@ BondBreaking::Result BondBreaking::break_above(const Judged& judged, long long m
   std::vector<double> all = body.communicator.gather(judged.counted);
   std::sort(all.begin(), all.end(), std::greater<>());
   result.critical = static_cast<long long>(all.size());
+  if (most == 0) return result;
   const auto last = static_cast<std::size_t>(std::clamp(most, 1LL, result.critical)) - 1;
   const double least = all[last] * (1 - tie);
   std::vector<mechanics::BondEnds> ends;

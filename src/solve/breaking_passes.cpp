@@ -16,24 +16,34 @@ constexpr int most_phases = 20;
 
 LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
   const Communicator& ranks = scene_.body().communicator;
-  const auto most = static_cast<long long>(deck_.fracture.pass_share * static_cast<double>(breaking_->bonds()));
+  const auto most =
+      std::max(1LL, static_cast<long long>(deck_.fracture.pass_share * static_cast<double>(breaking_->bonds())));
   const long long before_step = breaking_->broken();
   for (int pass = 1;; ++pass) {
-    const BondBreaking::Result found = breaking_->break_worst(committed_, most);
-    if (found.broken == 0) return {};
+    const bool too_many = pass > deck_.fracture.max_passes;
+    const BondBreaking::Result found = breaking_->break_worst(committed_, too_many ? 0 : most);
+    if (found.critical == 0) return {};
     const bool runs = motion_ && pass > 1 && found.worst > deck_.hand_over.overload;
     const double t = committed_.t();
+    if (too_many)
+      return {LostEquilibrium::passes,
+              fmt::format("bonds still break after {} passes at t = {:.6g}", deck_.fracture.max_passes, t)};
     observer.bonds_broken({step_, t, pass, found.critical, found.broken, found.worst});
     ++passes_;
 
+    const std::vector<char> loose_before = boundary_.loose();
     const bool loose = let_loose_go(observer);
     mechanics::Trial trial;
     std::vector<double> force(scene_.owned_unknowns());
     mechanics::internal_force(scene_, committed_, committed_.displacement().data(), trial, force.data());
     // Flow that the break sets off is the next solve's, and what it dissipates is still stored.
-    const double after = ranks.sum(trial.stored + trial.dissipated);
-    energies_.released += energies_.stored - after;
-    energies_.stored = after;
+    std::vector<double> sums{trial.stored + trial.dissipated, loose_energy(scene_, loose_before, trial.stored_energy),
+                             loose_energy(scene_, boundary_.loose(), trial.stored_energy)};
+    ranks.sum(sums);
+    energies_.released += energies_.stored - (sums[0] - sums[1]);
+    // What comes loose would fly off with what it stores.
+    energies_.relaxed += sums[2] - sums[1];
+    energies_.stored = sums[0] - sums[2];
     force_ = force;
     newton_.bonds_changed(loose);
     if (runs)
@@ -45,10 +55,6 @@ LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, NewtonResult& tot
         static_cast<double>(in_step) > deck_.hand_over.broken_share * static_cast<double>(breaking_->bonds()))
       return {LostEquilibrium::broken_share,
               fmt::format("{} bonds have broken in one load step, more than hand_over.broken_share", in_step)};
-    if (pass > deck_.fracture.max_passes)
-      return {LostEquilibrium::passes,
-              fmt::format("bonds still break after {} passes at t = {:.6g}", deck_.fracture.max_passes, t)};
-
     std::vector<double> guess(committed_.displacement().begin(),
                               committed_.displacement().begin() + static_cast<std::ptrdiff_t>(force.size()));
     const NewtonResult result = newton_.solve(committed_, t, step_, guess, observer, trial, force);

@@ -43,7 +43,7 @@ void HandOver::make_motion(mechanics::Committed&& state, double rate) {
   settings.damping = deck_.hand_over.damping.value_or(damping_over_passage / passage_);
   settings.contact = deck_.motion.contact;
   settings.rate = rate;
-  settings.safety = deck_.motion.safety;
+  settings.safety = time_step_safety(deck_, scene_);
   motion_ =
       std::make_unique<ExplicitMotion>(scene_, boundary_, particle_masses(deck_, scene_), std::move(state), settings);
 }

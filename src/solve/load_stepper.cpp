@@ -9,6 +9,7 @@
 #include "perinox/body/extent.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/solve/arc_length.hpp"
+#include "perinox/solve/loose_pieces.hpp"
 
 namespace perinox::solve {
 
@@ -187,7 +188,8 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) 
     const double after = boundary_.prescribed()[u] ? -force[u] : external[u];
     work += 0.5 * (before + after) * (trial.displacement[u] - committed_.displacement()[u]);
   }
-  std::vector<double> sums{work, trial.stored, trial.dissipated};
+  std::vector<double> sums{work, trial.stored - loose_energy(scene_, boundary_.loose(), trial.stored_energy),
+                           trial.dissipated};
   scene_.body().communicator.sum(sums);
   energies_.external_work += sums[0];
   energies_.stored = sums[1];

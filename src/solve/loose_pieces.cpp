@@ -74,6 +74,14 @@ long long cut_hanging(mechanics::Scene& scene, const mechanics::PlasticExtension
 
 }  // namespace
 
+double loose_energy(const mechanics::Scene& scene, const std::vector<char>& loose,
+                    const std::vector<double>& stored_energy) {
+  double sum = 0;
+  for (std::size_t i = 0; i < loose.size(); ++i)
+    if (loose[i]) sum += scene.body().volume[i] * stored_energy[i];
+  return sum;
+}
+
 LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary, const mechanics::PlasticExtension& plastic) {
   const body::Body& body = scene.body();
   const int d = scene.dimension();

@@ -65,6 +65,11 @@ Ritz largest_ritz(const std::vector<double>& diagonal, const std::vector<double>
 
 }  // namespace
 
+double time_step_safety(const deck::Deck& deck, const mechanics::Scene& scene) {
+  if (deck.motion.safety > 0) return deck.motion.safety;
+  return scene.plastic() ? 0.5 : 0.8;
+}
+
 std::vector<double> particle_masses(const deck::Deck& deck, const mechanics::Scene& scene) {
   const body::Body& body = scene.body();
   std::vector<double> masses(static_cast<std::size_t>(scene.owned()));

@@ -20,11 +20,12 @@ constexpr long long between_looks = 10;
 /// Time steps that an estimate of the stable one serves: it costs about as much as thirty of them.
 constexpr long long between_estimates = 1000;
 
-ExplicitMotion::Settings settings_of(const deck::Explicit& motion) {
+ExplicitMotion::Settings settings_of(const deck::Deck& deck, const mechanics::Scene& scene) {
+  const deck::Explicit& motion = deck.motion;
   ExplicitMotion::Settings settings;
   settings.damping = motion.damping;
   settings.contact = motion.contact;
-  settings.safety = motion.safety;
+  settings.safety = time_step_safety(deck, scene);
   return settings;
 }
 
@@ -43,7 +44,7 @@ TimeStepper::TimeStepper(const deck::Deck& deck, mechanics::Scene& scene)
 
 void TimeStepper::make_motion() {
   motion_.emplace(scene_, boundary_, particle_masses(deck_, scene_), mechanics::Committed(scene_),
-                  settings_of(deck_.motion));
+                  settings_of(deck_, scene_));
 }
 
 double TimeStepper::time_step() {
@@ -53,7 +54,7 @@ double TimeStepper::time_step() {
 
 TimeStepPlan TimeStepper::plan() {
   TimeStepPlan plan;
-  plan.stable = motion_->stable_time_step() / deck_.motion.safety;
+  plan.stable = motion_->stable_time_step() / time_step_safety(deck_, scene_);
   const double row = deck_.steps.end / std::max(1, deck_.steps.count);
   const long long count = count_of(row, time_step());
   plan.length = row / static_cast<double>(count);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "perinox/solve/bond_breaking.hpp"
+#include "perinox/solve/loose_pieces.hpp"
 #include "support/breaking_decks.hpp"
 #include "support/broken.hpp"
 #include "support/fracture.hpp"
@@ -137,6 +138,14 @@ TEST(Passes, TooManyStopTheRun) {
                                      "passes at t = 0.035"));
   EXPECT_EQ(run.records.steps.size(), 6u);
   EXPECT_EQ(run.records.stopped_after, 7);  // the state in which it was lost, under its own number
+  long long broken = 0, in_step = 0;
+  for (const solve::BreakingPass& pass : run.records.passes) {
+    broken += pass.broken;
+    in_step += pass.step == 7;
+  }
+  EXPECT_EQ(in_step, 3);
+  EXPECT_EQ(run.records.passes.back().pass, 3);
+  EXPECT_EQ(broken, static_cast<long long>(run.scene.broken().size()));  // and none after them
 }
 
 TEST(Passes, APieceThatComesLooseIsTakenOutWhereItIs) {
@@ -158,6 +167,15 @@ TEST(Passes, APieceThatComesLooseIsTakenOutWhereItIs) {
     EXPECT_TRUE(run.scene.body().material[a] == 1 || run.scene.body().material[b] == 1);
   }
   EXPECT_LE(measured("chain torn apart: energy not accounted for", run.energy_gap()), 2e-3);  // 8.7e-4
+  // The stored energy is that of what is held; what the pieces stored as they came loose is among the relaxed.
+  mechanics::Trial trial;
+  std::vector<double> force(run.scene.owned_unknowns());
+  mechanics::internal_force(run.scene, run.stepper.committed(), run.stepper.committed().displacement().data(), trial,
+                            force.data());
+  const double in_loose = solve::loose_energy(run.scene, run.stepper.boundary().loose(), trial.stored_energy);
+  EXPECT_GT(measured("chain torn apart: energy in loose pieces over that of all", in_loose / trial.stored), 0.01);
+  EXPECT_NEAR(run.stepper.energies().stored, trial.stored - in_loose, 1e-9 * trial.stored);
+  EXPECT_GT(run.stepper.energies().relaxed, in_loose);
 }
 
 // Two notches, and the plastic strain between their tips is the largest.

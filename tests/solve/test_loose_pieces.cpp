@@ -87,6 +87,17 @@ TEST(LoosePieces, AFragment) {
   EXPECT_THAT(found.sentences[0], HasSubstr("a piece of 12 particles"));
 }
 
+// Only its last particle in the row is joined to the rest, by bonds in all directions: the piece can turn about it.
+TEST(LoosePieces, APieceOnAHingeStays) {
+  Loose plate;
+  const LocalIndex hinge = plate.at(5.5, 5.5);
+  const double* middle = plate.scene.body().position(hinge);
+  plate.cut([&](const double* a, const double* b) { return (a[1] < 6) != (b[1] < 6) && a != middle && b != middle; });
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {});
+  EXPECT_EQ(plate.count(found), 0);
+  EXPECT_EQ(found.broken, 0);
+}
+
 TEST(LoosePieces, APieceThatIsHeldPartlyStays) {
   std::string yaml = square_plate("critical_stretch: 0.01");
   const std::string held = "boundary: [";

@@ -84,7 +84,7 @@ bond_bodies: false
 horizon: {ratio: 2.015}
 materials: {steel: {model: elastic-plastic, young_modulus: 210e3, poisson_ratio: 0.3, density: 7.85e-9, yield_stress: {tension: 400}, damage: {critical_stretch: 0.02}}}
 dynamics: explicit
-explicit: {contact: {distance: 0.9}, damping: 1e3}
+explicit: {contact: {distance: 0.9}, damping: 1e3, safety: 0.8}
 initial_velocity:
   - {set: left, velocity: {x: 1e5, z: 2e4}}
   - {set: right, velocity: {x: -1e5}}

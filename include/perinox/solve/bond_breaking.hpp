@@ -27,7 +27,7 @@ class BondBreaking {
     double worst = 0;  ///< largest measure over limit of all bonds that can break
   };
   /// Breaks the worst of the critical bonds of a state, `most` of them over all ranks or as many as equal the worst to
-  /// `tie`. Collective.
+  /// `tie`; where `most` is 0 none, but counts them. Collective.
   Result break_worst(const mechanics::Committed& state, long long most);
   /// Breaks all critical bonds of a motion right after a time step of it; how many over all ranks. Collective.
   long long break_all(ExplicitMotion& motion);

@@ -16,14 +16,14 @@ struct MotionEnergies {
   /// conserves together with the stored one. It is less than v_n M v_n/2 by dt^2/8 a M a.
   double kinetic = 0;
   double moving = 0;  ///< v_n M v_n/2
-  double stored = 0;
+  double stored = 0;  ///< in what the boundary has not let go as loose
   double contact = 0;  ///< stored in contacts
   // Since the motion began.
   double dissipated = 0;
   double damped = 0;
-  double released = 0;  ///< went with bonds as they broke
+  double released = 0;  ///< what stored and kinetic energy lost as bonds broke
   /// Of external forces, and of what moves the prescribed unknowns, their inertia included; it begins with the kinetic
-  /// energy of the initial velocities.
+  /// energy that the motion begins with.
   double external_work = 0;
   double at_start = 0;  ///< stored energy that the motion began with, contacts included
 
@@ -74,11 +74,11 @@ class ExplicitMotion {
   /// One time step of length dt.
   void step(double dt);
   /// To be called after bonds of the scene have broken between two time steps: evaluates forces and contacts anew at
-  /// the present state. The stored energy that went with the bonds, all ranks; it counts as released from here on.
+  /// the present state. The energy that went with the bonds, all ranks; it counts as released from here on.
   double bonds_have_broken();
 
-  /// To be called after the boundary has let particles go: they stop where they are, and their kinetic energy counts
-  /// as damped.
+  /// To be called after the boundary has let particles go: they stop where they are, and their kinetic and stored
+  /// energy counts as damped.
   void supports_have_changed();
   /// From here on the load parameter goes from `t` at `rate`.
   void go_on_at(double t, double rate);

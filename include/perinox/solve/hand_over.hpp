@@ -37,8 +37,8 @@ class HandOver {
   /// Called every few time steps, on every rank, when all can be saved; what it throws ends the phase there.
   using Passing = std::function<void(double t)>;
   /// From begin() or restore() until the body is at rest. state, and force, external [owned * dimension]: where the
-  /// motion ends. Pieces that have come loose are taken out once the bonds are quiet; their kinetic energy counts as
-  /// damped. Collective.
+  /// motion ends. Pieces that have come loose are taken out once the bonds are quiet; their kinetic and stored
+  /// energy counts as damped. Collective.
   Result run(mechanics::Committed& state, Observer& observer, std::vector<double>& force, std::vector<double>& external,
              const Passing& passing);
   /// What run() goes on from in a callback, and the way back, with the boundary and the bonds of then. Collective.

@@ -20,11 +20,11 @@ namespace perinox::solve {
 
 /// Work and energy since t = 0, over all ranks.
 struct Energies {
-  double stored = 0;
+  double stored = 0;  ///< in what is held: not in pieces taken out as loose
   double dissipated = 0;
   double external_work = 0;  ///< of the reactions and the external forces, trapezoidal over each step
   double released = 0;       ///< stored energy that went with breaking bonds, the deformation held
-  double relaxed = 0;        ///< lost on the way down to the next equilibrium
+  double relaxed = 0;        ///< lost on the way down to the next equilibrium, or stored in what came loose
   double damped = 0;         ///< while the run went on in time, the kinetic energy left at its end included
 };
 

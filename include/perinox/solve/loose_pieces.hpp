@@ -19,7 +19,13 @@ struct LoosePieces {
 /// Breaks what is left of the families whose bonds do not resist every motion of their particle (one bond, bonds along
 /// one line, in 3-D bonds within one plane), then finds the pieces that no bond joins to a prescribed displacement. A
 /// piece that is held only partly stays: it is in balance along its free motions as long as nothing pushes it there.
+/// So does a piece that can only turn, about a hinge: about one particle that all bonds to the rest end at.
 /// Collective.
 LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary, const mechanics::PlasticExtension& plastic);
+
+/// Energy stored in particles taken out as loose, this rank's share: it is no longer the body's. loose: [owned] or
+/// empty; stored_energy: [owned] a volume.
+double loose_energy(const mechanics::Scene& scene, const std::vector<char>& loose,
+                    const std::vector<double>& stored_energy);
 
 }  // namespace perinox::solve

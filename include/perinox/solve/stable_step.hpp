@@ -10,6 +10,10 @@ namespace perinox::solve {
 /// without a density.
 std::vector<double> particle_masses(const deck::Deck& deck, const mechanics::Scene& scene);
 
+/// explicit.safety, or what stands for it: 0.8, and 0.5 where a material flows, as the plastic work of a time step is
+/// that of its end.
+double time_step_safety(const deck::Deck& deck, const mechanics::Scene& scene);
+
 /// Upper bound of the largest eigenvalue of M^-1 K of the undeformed elastic body, 1/time^2. A family's energy is at
 /// most lambda_i/2 sum omega e^2 V_j with lambda_i = max(alpha_i, d^2 kappa/m_i), or, where the strain is fitted,
 /// the largest of alpha_i and of C^(1/2) M^-1 C^(1/2), C the isotropic stiffness; an extension squared at most twice
