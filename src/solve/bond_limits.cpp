@@ -4,16 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace perinox::solve {
 
 namespace {
 
-/// Against horizon over spacing; the deviations between two measurements at one ratio are 3 %.
-constexpr std::pair<double, double> toughness_2d[] = {{3, 1.48}, {4, 1.37}, {5, 1.35}, {6, 1.28}, {8, 1.13}};
-constexpr double toughness_3d = 1.2;
+/// Against horizon over spacing. Constant influence: on double cantilevers, two measurements at one ratio 3 % apart;
+/// the others: in the field of a stress intensity (docs/fracture.md).
+using Toughness = std::vector<std::pair<double, double>>;
+const Toughness toughness_constant{{3, 1.48}, {4, 1.37}, {5, 1.35}, {6, 1.28}, {8, 1.13}};
+const Toughness toughness_inverse{{3, 1.45}, {5, 1.28}};
+const Toughness toughness_polynomial{{3, 1.51}, {5, 1.14}};
+constexpr double toughness_3d = 1.2;  ///< constant influence; of others nothing is known
 
 constexpr double pi = 3.14159265358979323846;
 
@@ -57,17 +61,20 @@ CrossedBonds lattice(const deck::Deck& deck, double horizon, double spacing) {
 
 /// What a crack along a lattice plane takes an area, over what its bonds held at their limits: it moves in jumps, in
 /// which bonds go beyond their limits, and between which energy is lost; less so with more particles in a horizon.
-/// Measured on double cantilevers (docs/fracture.md) with the constant influence function; of others nothing is known.
+/// Measured (docs/fracture.md).
 double lattice_toughness(const deck::Deck& deck, double horizon, double spacing) {
-  if (spacing == 0 || deck.influence != deck::Influence::constant) return 1;
-  if (deck.dimension == deck::Dimension::three) return toughness_3d;
+  if (spacing == 0) return 1;
+  if (deck.dimension == deck::Dimension::three) return deck.influence == deck::Influence::constant ? toughness_3d : 1;
+  const Toughness& measured = deck.influence == deck::Influence::constant  ? toughness_constant
+                              : deck.influence == deck::Influence::inverse ? toughness_inverse
+                                                                           : toughness_polynomial;
   const double ratio = horizon / spacing;
-  for (std::size_t k = 1; k < std::size(toughness_2d); ++k) {
-    const auto [high, at_high] = toughness_2d[k];
-    const auto [low, at_low] = toughness_2d[k - 1];
+  for (std::size_t k = 1; k < measured.size(); ++k) {
+    const auto [high, at_high] = measured[k];
+    const auto [low, at_low] = measured[k - 1];
     if (ratio <= high) return at_low + (at_high - at_low) * std::max(0.0, ratio - low) / (high - low);
   }
-  return toughness_2d[std::size(toughness_2d) - 1].second;
+  return measured.back().second;
 }
 
 /// Largest spacing of the lattices made of a material; 0 if one of its bodies is a cloud.

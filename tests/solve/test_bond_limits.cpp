@@ -97,6 +97,20 @@ TEST(BondLimits, OfAnEnergyReleaseRateInThePlane) {
   EXPECT_DOUBLE_EQ(limit_of(deck_of(square_plate("critical_bond_energy: 3"))).limit, 3);
 }
 
+TEST(BondLimits, OfAnEnergyReleaseRateInThePlaneWithOtherInfluences) {
+  const auto toughness = [](const char* influence, const char* ratio) {
+    std::string yaml = square_plate("energy_release_rate: 0.05", std::string("influence: ") + influence);
+    yaml.replace(yaml.find("3.015"), 5, ratio);
+    const deck::Deck deck = deck_of(yaml);
+    return 0.05 / (limit_of(deck).limit * solve::crossed_bonds(deck, std::stod(ratio), 1).count);
+  };
+  // As measured at 3 and 5 (docs/fracture.md), between them straight, beyond them constant.
+  EXPECT_NEAR(toughness("inverse", "4.015"), 1.45 + (1.28 - 1.45) * 1.015 / 2, 1e-12);
+  EXPECT_NEAR(toughness("polynomial", "4.015"), 1.51 + (1.14 - 1.51) * 1.015 / 2, 1e-12);
+  EXPECT_NEAR(toughness("inverse", "2.015"), 1.45, 1e-12);
+  EXPECT_NEAR(toughness("polynomial", "5.515"), 1.14, 1e-12);
+}
+
 /// Box of 5 x 5 x 5 particles of spacing 0.5.
 std::string block(const std::string& material, const std::string& rest = "") {
   return fmt::format(R"(
