@@ -15,8 +15,8 @@ struct MotionEnergies {
   /// v_(n-1/2) M v_(n+1/2)/2 with the velocities half a time step before and after: the kinetic energy that the scheme
   /// conserves together with the stored one. It is less than v_n M v_n/2 by dt^2/8 a M a.
   double kinetic = 0;
-  double moving = 0;  ///< v_n M v_n/2
-  double stored = 0;  ///< in what the boundary has not let go as loose
+  double moving = 0;   ///< v_n M v_n/2
+  double stored = 0;   ///< in what the boundary has not let go as loose
   double contact = 0;  ///< stored in contacts
   // Since the motion began.
   double dissipated = 0;
