@@ -94,7 +94,9 @@ class Checker {
 
   Value check_map(const Node& node, const Key& key, const std::string& path) {
     const std::string place = key.place.empty() ? path : key.place;
-    const std::vector<Key> keys = key.picks_model ? keys_of_material(node, key, path) : key.keys;
+    std::vector<Key> of_material;
+    if (key.picks_model) of_material = keys_of_material(node, key, path);
+    const std::vector<Key>& keys = key.picks_model ? of_material : key.keys;
     const std::string model = key.picks_model ? node.find("model")->text : "";
     refuse_unknown(node, keys, place, model);
     refuse_duplicates(node, place);
@@ -209,12 +211,18 @@ class Checker {
                                       key.sentence));
   }
 
+  /// A default's text as a tree, parsed once: there are few, and every deck needs most of them.
+  static const Node& parsed_default(const std::string& text) {
+    static std::map<std::string, Node> parsed;
+    const auto found = parsed.find(text);
+    return found != parsed.end() ? found->second : parsed.emplace(text, parse_yaml(text, "")).first->second;
+  }
+
   /// The default of a key that was not written; a Value of kind none if it has none.
   Value fallback(const Key& key, const std::string& path, const Location& where) {
     if (!key.fallback) return {};
-    Node node;
     try {
-      node = parse_yaml(*key.fallback, "");
+      const Node& node = parsed_default(*key.fallback);
       if (node.kind == Node::Kind::map && node.entries.empty() && key.type == Type::map) {
         return relocated(check_map(node, schema_.structure(key), path), where);
       }
