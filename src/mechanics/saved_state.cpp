@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "evaluation.hpp"
+#include "perinox/core/restored.hpp"
 #include "perinox/mechanics/state.hpp"
 
 namespace perinox::mechanics {
@@ -71,7 +72,7 @@ void Committed::save(const Scene& scene, StateWriter& writer) const {
 
 void Committed::restore(const Scene& scene, StateReader& reader) {
   const int d = scene.dimension();
-  t_ = reader.number("state/t");
+  t_ = restored_number(reader, "state/t", 0);
   const std::vector<double> displacement = reader.particles("state/displacement", d);
   std::copy(displacement.begin(), displacement.end(), displacement_.begin());
   scene.body().halo.update_ghosts(displacement_.data(), d);

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 
 #include "checkpoint_seal.hpp"
+#include "not_finite.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/output/checkpoint.hpp"
 #include "perinox/output/checksum.hpp"
@@ -67,6 +69,8 @@ CheckpointHead read_checkpoint_head(const std::string& path, const Communicator&
     constexpr long long most_steps = std::numeric_limits<int>::max();
     head.step = static_cast<int>(count("step", most_steps));
     head.t = file.number_attribute("/", "t");
+    if (!(std::isfinite(head.t) && head.t >= 0))
+      throw InputError(fmt::format("{} is damaged: its t is {}", path, head.t));
     head.deck = file.text_attribute("/", "deck");
     head.perinox_version = file.text_attribute("/", "perinox_version");
     head.ranks = count("ranks");
@@ -88,6 +92,17 @@ struct CheckpointReader::Plan {
   RowOrder order;
   RowLists lists;
   ParallelFile file;
+  /// Whoever takes lists has asked for their lengths before.
+  std::string counted;
+  std::vector<int> count;
+
+  const std::vector<int>& counts(const std::string& name) {
+    if (counted == name) return count;
+    counted.clear();
+    count = lists.read_counts(file, "/" + name);
+    counted = name;
+    return count;
+  }
 };
 
 CheckpointReader::CheckpointReader(std::string path, const body::Body& body) : path_(std::move(path)) {
@@ -115,7 +130,11 @@ bool CheckpointReader::has(const std::string& name) const {
 }
 
 double CheckpointReader::number(const std::string& name) const {
-  return as_input([&] { return plan_->file.number_attribute(group_of(name), leaf_of(name)); });
+  return as_input([&] {
+    const double value = plan_->file.number_attribute(group_of(name), leaf_of(name));
+    refuse_not_finite(plan_->communicator, {value}, path_, name);
+    return value;
+  });
 }
 
 long long CheckpointReader::integer(const std::string& name) const {
@@ -130,16 +149,20 @@ std::vector<double> CheckpointReader::particles(const std::string& name, int com
   const RowOrder& order = plan_->order;
   return as_input([&] {
     const auto rows = plan_->file.read_rows("/" + name, order.total(), order.first_row(), order.rows(), components);
+    refuse_not_finite(plan_->communicator, rows, path_, name);
     return order.to_owners(rows.data(), components);
   });
 }
 
 std::vector<int> CheckpointReader::list_counts(const std::string& name) const {
-  return as_input([&] { return plan_->lists.read_counts(plan_->file, "/" + name); });
+  return as_input([&] { return plan_->counts(name); });
 }
 
 void CheckpointReader::lists(const std::string& name, const Sink& sink) const {
-  as_input([&] { plan_->lists.read(plan_->file, "/" + name, sink); });
+  as_input([&] {
+    const std::vector<int> count = plan_->counts(name);
+    plan_->lists.read(plan_->file, "/" + name, count, sink);
+  });
 }
 
 void CheckpointReader::refuse_if(const std::string& sentence) const {

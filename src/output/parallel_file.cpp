@@ -35,9 +35,13 @@ Handle collective_transfer() {
   return {list, H5Pclose};
 }
 
-Handle mpi_access(MPI_Comm comm) {
+herr_t no_close(hid_t) { return 0; }
+
+/// A rank that reads alone needs no MPI-IO, whose opening of a file costs more than a small checkpoint's content.
+Handle access_for(const Communicator& communicator, ParallelFile::Mode mode) {
   const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
-  H5Pset_fapl_mpio(list, comm, MPI_INFO_NULL);
+  if (communicator.size() > 1 || mode != ParallelFile::Mode::read)
+    H5Pset_fapl_mpio(list, communicator.mpi(), MPI_INFO_NULL);
   return {list, H5Pclose};
 }
 
@@ -60,7 +64,7 @@ Handle text_type() {
 ParallelFile::ParallelFile(std::string path, const Communicator& communicator, Mode mode, int user_block)
     : path_(std::move(path)), communicator_(communicator) {
   const Silence silence;
-  const Handle access = mpi_access(communicator_.mpi());  // closed last: every call clears the reason of a failure
+  const Handle access = access_for(communicator_, mode);  // closed last: every call clears the reason of a failure
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_userblock(creation, static_cast<hsize_t>(user_block));
   file_ = mode == Mode::create ? H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, creation, access)
@@ -141,7 +145,7 @@ void ParallelFile::read_table(const std::string& dataset, void* values, int rows
                                               (columns == 0 ? "]" : ", " + std::to_string(columns) + "]"));
   select_rows(space, first, rows, columns);
   const Handle memory = memory_space(rows, columns);
-  const Handle transfer = collective_transfer();
+  const Handle transfer = communicator_.size() > 1 ? collective_transfer() : Handle(H5P_DEFAULT, no_close);
   agree(H5Dread(table, type, memory, space, transfer, values) < 0, "could not be read, dataset " + dataset);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "not_finite.hpp"
 #include "perinox/output/agree.hpp"
 
 namespace perinox::output {
@@ -138,8 +139,8 @@ std::vector<int> RowLists::read_counts(const ParallelFile& file, const std::stri
   return count;
 }
 
-void RowLists::read(const ParallelFile& file, const std::string& name, const StateReader::Sink& sink) const {
-  const std::vector<int> count = read_counts(file, name);
+void RowLists::read(const ParallelFile& file, const std::string& name, const std::vector<int>& count,
+                    const StateReader::Sink& sink) const {
   const std::vector<int> row_count = order_.to_rows(count.data());
   const GlobalId mine = std::accumulate(row_count.begin(), row_count.end(), GlobalId{0});
   GlobalId place = communicator_.exclusive_scan(mine);
@@ -147,6 +148,7 @@ void RowLists::read(const ParallelFile& file, const std::string& name, const Sta
   for (int number = 0; number < portions_; ++number) {
     const Portion part = plan(number, count, row_count);
     const std::vector<double> rows = file.read_part(name + "/values", place, part.row_values);
+    refuse_not_finite(communicator_, rows, file.path(), name);
     place += static_cast<GlobalId>(rows.size());
     if (communicator_.size() == 1) {
       sink(part.particles, rows);

@@ -3,19 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+
+#include "broken_table.hpp"
 
 namespace perinox::solve {
 
 namespace {
 
-constexpr const char* name = "fracture/broken";
-constexpr const char* extension_name = "fracture/broken_extension";
-/// Numbers of a bonds::BrokenExtension.
-constexpr int extension_size = 13;
-
-/// lower id, upper id, round
-using Entry = std::array<long long, 3>;
+using Entry = BrokenEntry;
 
 bool lower_first(const Entry& a, const Entry& b) { return a[0] < b[0]; }
 
@@ -23,26 +18,6 @@ bool lower_first(const Entry& a, const Entry& b) { return a[0] < b[0]; }
 std::pair<std::size_t, std::size_t> range_of(const std::vector<Entry>& table, GlobalId id) {
   const auto [first, last] = std::equal_range(table.begin(), table.end(), Entry{id, 0, 0}, lower_first);
   return {static_cast<std::size_t>(first - table.begin()), static_cast<std::size_t>(last - table.begin())};
-}
-
-/// All entries of a checkpoint, on every rank, sorted by ids.
-std::vector<Entry> read_table(const mechanics::Scene& scene, const StateReader& reader) {
-  const std::vector<int> count = reader.list_counts(name);
-  std::vector<long long> mine;
-  reader.lists(name, [&](const std::vector<LocalIndex>& particles, const std::vector<double>& values) {
-    auto value = values.begin();
-    for (const LocalIndex i : particles)
-      for (int k = 0; k < count[static_cast<std::size_t>(i)]; k += 2) {
-        mine.push_back(scene.body().id[i]);
-        mine.push_back(static_cast<long long>(*value++));
-        mine.push_back(static_cast<long long>(*value++));
-      }
-  });
-  const std::vector<long long> all = scene.body().communicator.gather(mine);
-  std::vector<Entry> table;
-  for (std::size_t k = 0; k < all.size(); k += 3) table.push_back({all[k], all[k + 1], all[k + 2]});
-  std::sort(table.begin(), table.end());
-  return table;
 }
 
 template <class Visit>
@@ -57,35 +32,17 @@ void save_broken_extension(const mechanics::Scene& scene, StateWriter& writer) {
   const std::vector<bonds::BrokenExtension>& all = scene.families().broken_extension;
   std::vector<int> count(static_cast<std::size_t>(scene.owned()), 0);
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].second != bonds::Mandel{}) count[i] = extension_size;
-  writer.lists(extension_name, count, [&](const std::vector<LocalIndex>& particles, std::vector<double>& values) {
-    for (const LocalIndex i : particles) {
-      if (count[static_cast<std::size_t>(i)] == 0) continue;
-      const bonds::BrokenExtension& of = all[static_cast<std::size_t>(i)];
-      values.insert(values.end(), of.fit.begin(), of.fit.end());
-      values.push_back(of.square);
-      values.insert(values.end(), of.second.begin(), of.second.end());
-    }
-  });
-}
-
-std::vector<bonds::BrokenExtension> read_broken_extension(const StateReader& reader) {
-  const std::vector<int> count = reader.list_counts(extension_name);
-  std::vector<bonds::BrokenExtension> all;
-  const bool bad = std::any_of(count.begin(), count.end(), [](int n) { return n != 0 && n != extension_size; });
-  reader.refuse_if(bad ? "what it holds of the plastic extension of broken bonds has another length" : "");
-  if (std::any_of(count.begin(), count.end(), [](int n) { return n > 0; })) all.resize(count.size());
-  reader.lists(extension_name, [&](const std::vector<LocalIndex>& particles, const std::vector<double>& values) {
-    auto value = values.begin();
-    for (const LocalIndex i : particles) {
-      if (count[static_cast<std::size_t>(i)] == 0) continue;
-      bonds::BrokenExtension& of = all[static_cast<std::size_t>(i)];
-      for (double& number : of.fit) number = *value++;
-      of.square = *value++;
-      for (double& number : of.second) number = *value++;
-    }
-  });
-  return all;
+    if (all[i].second != bonds::Mandel{}) count[i] = broken_extension_size;
+  writer.lists(broken_extension_name, count,
+               [&](const std::vector<LocalIndex>& particles, std::vector<double>& values) {
+                 for (const LocalIndex i : particles) {
+                   if (count[static_cast<std::size_t>(i)] == 0) continue;
+                   const bonds::BrokenExtension& of = all[static_cast<std::size_t>(i)];
+                   values.insert(values.end(), of.fit.begin(), of.fit.end());
+                   values.push_back(of.square);
+                   values.insert(values.end(), of.second.begin(), of.second.end());
+                 }
+               });
 }
 
 }  // namespace
@@ -103,7 +60,7 @@ void save_broken_bonds(const mechanics::Scene& scene, const std::vector<std::siz
     const auto [first, last] = range_of(table, scene.body().id[i]);
     count[static_cast<std::size_t>(i)] = static_cast<int>(2 * (last - first));
   }
-  writer.lists(name, count, [&](const std::vector<LocalIndex>& particles, std::vector<double>& values) {
+  writer.lists(broken_name, count, [&](const std::vector<LocalIndex>& particles, std::vector<double>& values) {
     for (const LocalIndex i : particles) {
       const auto [first, last] = range_of(table, scene.body().id[i]);
       for (std::size_t k = first; k < last; ++k) {
@@ -117,7 +74,7 @@ void save_broken_bonds(const mechanics::Scene& scene, const std::vector<std::siz
 
 BrokenBonds::BrokenBonds(mechanics::Scene& scene, const StateReader& reader)
     : scene_(scene), extension_(read_broken_extension(reader)) {
-  const std::vector<Entry> table = read_table(scene, reader);
+  const std::vector<Entry> table = read_broken_table(scene.body(), reader);
   count_ = static_cast<long long>(table.size());
   for (const Entry& entry : table) {
     const auto round = static_cast<std::size_t>(entry[2]);

@@ -1,6 +1,8 @@
 /// A motion on its way to a checkpoint and back.
 #include <algorithm>
+#include <limits>
 
+#include "perinox/core/restored.hpp"
 #include "perinox/solve/explicit_motion.hpp"
 
 namespace perinox::solve {
@@ -55,9 +57,9 @@ void ExplicitMotion::restore(StateReader& reader) {
   start_ = reader.number("motion/start");
   since_ = reader.number("motion/since");
   settings_.rate = reader.number("motion/rate");
-  time_ = reader.number("motion/time");
-  last_step_ = reader.number("motion/last_step");
-  time_steps_ = reader.integer("motion/time_steps");
+  time_ = restored_number(reader, "motion/time", 0);
+  last_step_ = restored_number(reader, "motion/last_step", 0);
+  time_steps_ = restored_integer(reader, "motion/time_steps", 0, std::numeric_limits<long long>::max());
   trial_.t = t();
   const double eigenvalue = reader.number("motion/eigenvalue");
   lambda_.reset();

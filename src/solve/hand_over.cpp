@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "perinox/body/extent.hpp"
+#include "perinox/core/restored.hpp"
 #include "perinox/solve/loose_pieces.hpp"
 #include "perinox/solve/stable_step.hpp"
 
@@ -68,8 +69,9 @@ void HandOver::restore(StateReader& reader) {
   to_ = reader.number("phase/to");
   last_break_ = reader.number("phase/last_break");
   most_stored_ = reader.number("phase/most_stored");
-  estimated_ = reader.integer("phase/estimated");
-  result_.broken = reader.integer("phase/broken");
+  constexpr long long most = std::numeric_limits<long long>::max();
+  estimated_ = restored_integer(reader, "phase/estimated", 0, most);
+  result_.broken = restored_integer(reader, "phase/broken", 0, most);
   result_.most_kinetic = reader.number("phase/most_kinetic");
   make_motion(mechanics::Committed(scene_), 0);
   motion_->restore(reader);

@@ -1,7 +1,9 @@
 /// What a run carries from one step to the next, on its way to a checkpoint and back.
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
+#include "perinox/core/restored.hpp"
 #include "perinox/solve/broken_bonds.hpp"
 #include "perinox/solve/load_stepper.hpp"
 
@@ -10,6 +12,8 @@ namespace perinox::solve {
 namespace {
 /// There in checkpoints within a load step only.
 constexpr const char* phase = "phase/number";
+/// Of steps.max_cuts.
+constexpr int most_cuts = 60;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 }  // namespace
@@ -23,7 +27,7 @@ void LoadSteps::save(StateWriter& writer) const {
 }
 
 void LoadSteps::restore(const mechanics::Committed& committed, StateReader& reader) {
-  const auto cuts = static_cast<int>(reader.integer("steps/cuts"));
+  const int cuts = restored_count(reader, "steps/cuts", most_cuts);
   for (cuts_ = 0; cuts_ < cuts; ++cuts_) size_ /= 2;
   for (done_ = 0; !finished() && committed.t() >= whole_end() * (1 - 1e-12);) ++done_;
   tried_ = committed.t();
@@ -45,7 +49,7 @@ void LoadStepper::save_fracture(StateWriter& writer) const {
 // The preconditioner's coarse functions are split along the crack as it was when they were made, and so they are again.
 // After a phase of motion Newton's solver is made anew.
 void LoadStepper::restore_fracture(StateReader& reader) {
-  passes_ = static_cast<int>(reader.integer("stepper/passes"));
+  passes_ = restored_count(reader, "stepper/passes");
   energies_.released = reader.number("stepper/released_energy");
   energies_.relaxed = reader.number("stepper/relaxed_energy");
   const std::vector<double> marks = reader.particles("fracture/loose", 1);
@@ -88,16 +92,19 @@ void LoadStepper::restore_phase(StateReader& reader) {
   MotionPhase& row = phase_.row;
   row.step = step_;
   row.t_begin = reader.number("phase/t_begin");
-  row.cause = static_cast<LostEquilibrium>(reader.integer("phase/cause"));
+  const auto cause = [&](const char* name) {
+    return static_cast<LostEquilibrium>(restored_count(reader, name, static_cast<int>(LostEquilibrium::passes)));
+  };
+  row.cause = cause("phase/cause");
   row.reason = reader.text("phase/reason");
-  motion_->phases = static_cast<int>(reader.integer("phase/of_step"));
-  motion_->cause = static_cast<LostEquilibrium>(reader.integer("phase/step_cause"));
+  motion_->phases = restored_count(reader, "phase/of_step");
+  motion_->cause = cause("phase/step_cause");
   motion_->phase_time = reader.number("phase/step_time");
   motion_->phase_energy = reader.number("phase/step_energy");
-  phase_.total.newton_iterations = static_cast<int>(reader.integer("phase/newton_iterations"));
-  phase_.total.linear_iterations = static_cast<int>(reader.integer("phase/linear_iterations"));
+  phase_.total.newton_iterations = restored_count(reader, "phase/newton_iterations");
+  phase_.total.linear_iterations = restored_count(reader, "phase/linear_iterations");
   phase_.seconds = reader.number("phase/seconds");
-  phase_.products = reader.integer("phase/products");
+  phase_.products = restored_integer(reader, "phase/products", 0, std::numeric_limits<long long>::max());
   hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get());
   hand_over_->restore(reader);
 }
@@ -129,7 +136,7 @@ void LoadStepper::save(StateWriter& writer) const {
 }
 
 void LoadStepper::restore(StateReader& reader) {
-  const auto count = [&](const char* name) { return static_cast<int>(reader.integer(name)); };
+  const auto count = [&](const char* name) { return restored_count(reader, name); };
   step_ = count("stepper/step");
   energies_.stored = reader.number("stepper/stored_energy");
   energies_.dissipated = reader.number("stepper/dissipated_energy");
@@ -148,7 +155,7 @@ void LoadStepper::restore(StateReader& reader) {
   if (motion_) {
     energies_.damped = reader.number("stepper/damped_energy");
     motion_->time = reader.number("stepper/time");
-    motion_->time_steps = reader.integer("stepper/time_steps");
+    motion_->time_steps = restored_integer(reader, "stepper/time_steps", 0, std::numeric_limits<long long>::max());
     phase_.row.number = count("stepper/phases");
   }
   committed_.restore(scene_, reader);

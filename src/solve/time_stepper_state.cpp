@@ -1,6 +1,11 @@
 /// What a run in time carries from one row to the next, on its way to a checkpoint and back.
-#include <chrono>
+#include <fmt/format.h>
 
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "perinox/core/restored.hpp"
 #include "perinox/solve/broken_bonds.hpp"
 #include "perinox/solve/time_stepper.hpp"
 
@@ -35,16 +40,23 @@ void TimeStepper::restore(StateReader& reader) {
   make_motion();
   motion_->restore(reader);
   energies_ = motion_->energies();
-  step_ = static_cast<int>(reader.integer("stepper/step"));
-  estimated_ = reader.integer("stepper/estimated");
+  step_ = restored_count(reader, "stepper/step");
+  constexpr long long most = std::numeric_limits<long long>::max();
+  estimated_ = restored_integer(reader, "stepper/estimated", 0, most);
   worst_gain_ = reader.number("stepper/worst_gain");
-  row_done_ = reader.integer("row/done");
-  row_count_ = reader.integer("row/count");
-  length_ = reader.number("row/length");
+  row_count_ = restored_integer(reader, "row/count", 0, most);
+  row_done_ = restored_integer(reader, "row/done", 0, row_count_);
+  length_ = restored_number(reader, "row/length", 0);
   row_end_ = reader.number("row/end");
   row_longest_ = reader.number("row/longest");
   row_seconds_ = reader.number("row/seconds");
   const double t = motion_->t();
+  const double left = static_cast<double>(row_count_ - row_done_) * length_;
+  reader.refuse_if(row_done_ == 0 || std::abs(t + left - row_end_) <= 1e-6 * row_end_
+                       ? std::string()
+                       : fmt::format("the {} time steps of {:.4g} that its row has left lead from t = {:g} elsewhere "
+                                     "than to t = {:g}",
+                                     row_count_ - row_done_, length_, t, row_end_));
   for (row_ = 0; row_ < deck_.steps.count && t >= deck_.steps.end * (row_ + 1) / deck_.steps.count * (1 - 1e-9);)
     ++row_;
 }

@@ -8,9 +8,10 @@
 
 namespace perinox::output {
 
-/// An HDF5 file that all ranks hold open together (MPI-IO). Every member, the destructor included, is collective.
-/// Whatever fails throws RunError on every rank, with the file's path and the reason; HDF5 prints nothing itself.
-/// Datasets are tables of `total` rows, of which each rank writes or reads the rows [first, first + rows).
+/// An HDF5 file that all ranks hold open together (MPI-IO; one rank that reads does without). Every member, the
+/// destructor included, is collective. Whatever fails throws RunError on every rank, with the file's path and the
+/// reason; HDF5 prints nothing itself. Datasets are tables of `total` rows, of which each rank writes or reads the rows
+/// [first, first + rows).
 class ParallelFile {
  public:
   enum class Mode { create, append, read };

@@ -26,7 +26,9 @@ class RowLists {
              const StateWriter::Source& source) const;
   /// [owned] Throws RunError if the lengths cannot be those of the lists in the file.
   std::vector<int> read_counts(const ParallelFile& file, const std::string& name) const;
-  void read(const ParallelFile& file, const std::string& name, const StateReader::Sink& sink) const;
+  /// count: as read_counts() has given it for this name.
+  void read(const ParallelFile& file, const std::string& name, const std::vector<int>& count,
+            const StateReader::Sink& sink) const;
 
  private:
   /// How one portion of lists goes between the ranks that own the particles and those that hold the rows.

@@ -1,0 +1,20 @@
+#pragma once
+/// Private to the output room: no state that a run leaves holds infinity or NaN, and none goes on from such a number.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "perinox/output/agree.hpp"
+
+namespace perinox::output {
+
+/// values: this rank's share. Throws RunError on every rank. Collective.
+inline void refuse_not_finite(const Communicator& communicator, const std::vector<double>& values,
+                              const std::string& path, const std::string& name) {
+  const bool finite = std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  agree_on_run_error(communicator,
+                     finite ? std::string() : path + " holds in " + name + " a number that is not finite");
+}
+
+}  // namespace perinox::output
