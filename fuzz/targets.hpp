@@ -20,6 +20,9 @@ bool expression(const std::string& input);  ///< formula, evaluated at a few pla
 /// types, shapes and values the bytes decide.
 bool checkpoint(const std::string& input);
 
+/// The sentence with which something was refused last.
+const std::string& refusal();
+
 struct Target {
   const char* name;  ///< also of its folder in the corpus
   Run run;

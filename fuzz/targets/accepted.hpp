@@ -19,6 +19,9 @@ inline void demand_sentence(const std::string& sentence) {
       throw std::logic_error("refused with a sentence that holds a control character");
 }
 
+/// The sentence of the last refusal.
+inline std::string last_refusal;
+
 /// True if `work` ends, false if it throws InputError with a sentence. Everything else passes through.
 template <class Work>
 bool accepted(Work&& work) {
@@ -26,7 +29,8 @@ bool accepted(Work&& work) {
     work();
     return true;
   } catch (const InputError& error) {
-    demand_sentence(error.what());
+    last_refusal = error.what();
+    demand_sentence(last_refusal);
     return false;
   }
 }

@@ -2,13 +2,19 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <fstream>
+#include <set>
 
 #include "../targets.hpp"
 #include "accepted.hpp"
+#include "broken_table.hpp"
 #include "checkpoint_seal.hpp"
+#include "hdf5_handle.hpp"
+#include "perinox/core/restored.hpp"
 #include "perinox/output/checksum.hpp"
 #include "small_body.hpp"
 
@@ -40,38 +46,52 @@ class Bytes {
   std::size_t next_;
 };
 
-/// Writes what CheckpointWriter writes, as long as the bytes do not ask for something else.
+/// A file in memory with what CheckpointWriter writes, or a copy of it in which the objects are others that the bytes
+/// ask for. A copy is opened with the first of them, since nothing costs as much as HDF5's opening of a file.
 class Content {
  public:
-  Content(const std::string& path, Bytes& bytes) : bytes_(bytes) {
-    const hid_t creation = H5Pcreate(H5P_FILE_CREATE);
-    H5Pset_userblock(creation, output::seal_bytes);
-    file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, H5P_DEFAULT);
-    H5Pclose(creation);
+  /// base: a whole file with all that is usual, seal included; empty: it is to be made.
+  Content(Bytes& bytes, const std::string& base) : bytes_(bytes), base_(base) {
     text_ = H5Tcopy(H5T_C_S1);
     H5Tset_size(text_, H5T_VARIABLE);
     H5Tset_cset(text_, H5T_CSET_UTF8);
+    if (base.empty()) open();
   }
   ~Content() {
     H5Tclose(text_);
-    H5Fclose(file_);
+    if (file_ >= 0) H5Fclose(file_);
   }
   Content(const Content&) = delete;
   Content& operator=(const Content&) = delete;
 
-  void group(const char* name) { H5Gclose(H5Gcreate2(file_, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)); }
+  /// The whole file with a right seal.
+  std::string sealed() const {
+    if (file_ < 0) return base_;
+    H5Fflush(file_, H5F_SCOPE_GLOBAL);
+    const ssize_t size = H5Fget_file_image(file_, nullptr, 0);  // without the user block
+    demand(size > 0, "HDF5 has no image of its file in memory");
+    std::string image(static_cast<std::size_t>(size), '\0');
+    demand(H5Fget_file_image(file_, image.data(), image.size()) > 0, "HDF5 gives no image of its file in memory");
+    return output::seal_text(image.size() + output::seal_bytes, output::checksum(image.data(), image.size())) + image;
+  }
+
+  void group(const char* name) {
+    if (base_.empty()) H5Gclose(H5Gcreate2(file_, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  }
   void attribute(const char* owner, const char* name, long long value) {
-    if (usual()) one(owner, name, H5T_NATIVE_LLONG, 1, &value, true);
+    if (usual() && base_.empty()) one(owner, name, H5T_NATIVE_LLONG, 1, &value, true);
   }
   void attribute(const char* owner, const char* name, double value) {
-    if (usual()) one(owner, name, H5T_NATIVE_DOUBLE, 1, &value, true);
+    if (usual() && base_.empty()) one(owner, name, H5T_NATIVE_DOUBLE, 1, &value, true);
   }
   void attribute(const char* owner, const char* name, const std::string& value) {
     const char* text = value.c_str();
-    if (usual()) one(owner, name, text_, 1, &text, true);
+    if (usual() && base_.empty()) one(owner, name, text_, 1, &text, true);
   }
   /// Replaces the attribute that comes next, if the bytes say so.
   void odd(const char* owner, const char* name) {
+    open();
+    H5Adelete_by_name(file_, owner, name, H5P_DEFAULT);
     const std::string made = bytes_.text();
     const char* texts[3] = {made.c_str(), "b", "c"};
     const auto real = bytes_.number<double>();
@@ -101,7 +121,11 @@ class Content {
     hsize_t extent[2] = {rows, columns};
     int dimensions = columns == 0 ? 1 : 2;
     hid_t stored = type;
-    if (!usual()) {
+    if (usual()) {
+      if (!base_.empty()) return;
+    } else {
+      open();
+      H5Ldelete(file_, name, H5P_DEFAULT);
       if (bytes_.byte() % 4 == 0) return;
       extent[0] = bytes_.byte() % 16;
       extent[1] = bytes_.byte() % 4;
@@ -132,6 +156,24 @@ class Content {
   bool is_odd() const { return odd_; }
 
  private:
+  void open() {
+    if (file_ >= 0) return;
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    constexpr std::size_t increment = 1 << 14;
+    H5Pset_fapl_core(access, increment, 0);
+    if (base_.empty()) {
+      const hid_t creation = H5Pcreate(H5P_FILE_CREATE);
+      H5Pset_userblock(creation, output::seal_bytes);
+      file_ = H5Fcreate("fuzz.h5", H5F_ACC_TRUNC, creation, access);
+      H5Pclose(creation);
+    } else {
+      std::string copy = base_;
+      H5Pset_file_image(access, copy.data(), copy.size());
+      file_ = H5Fopen("fuzz.h5", H5F_ACC_RDWR, access);
+    }
+    H5Pclose(access);
+    demand(file_ >= 0, "HDF5 opens no file in memory");
+  }
   void one(const char* owner, const char* name, hid_t type, std::size_t count, const void* value, bool scalar) {
     const hsize_t extent = count;
     const hid_t space = count == 0 ? H5Screate(H5S_NULL)
@@ -146,6 +188,7 @@ class Content {
   }
 
   Bytes& bytes_;
+  const std::string& base_;
   hid_t file_ = -1, text_ = -1;
   bool odd_ = false;
 };
@@ -157,8 +200,10 @@ void put(Content& content, const char* owner, const char* name, const Value& val
   content.attribute(owner, name, value);
 }
 
-void write_content(const std::string& path, Bytes& bytes, const body::Body& body) {
-  Content content(path, bytes);
+/// A whole checkpoint file with a right seal.
+std::string made_of(Bytes& bytes, const body::Body& body, const std::string& base) {
+  const output::Silence silence;  // what is asked for may be more than HDF5 gives
+  Content content(bytes, base);
   put(content, "/", "deck", std::string("title: fuzz\n"));
   put(content, "/", "perinox_version", std::string(PERINOX_VERSION));
   for (const char* name : {"step", "ranks", "history_bytes", "convergence_bytes", "phases", "attempt"})
@@ -178,36 +223,85 @@ void write_content(const std::string& path, Bytes& bytes, const body::Body& body
   content.table("/a/lists/count", std::vector<double>(particles, 2), particles, 0, H5T_NATIVE_INT);
   content.choose();
   content.table("/a/lists/values", std::vector<double>(2 * particles, 1), 2 * particles, 0, H5T_NATIVE_DOUBLE);
+  // Broken bonds: of particle 0 to 1 in round 0, and to 3 in round 1; the second had flowed.
+  content.group("/fracture");
+  content.group("/fracture/broken");
+  content.choose();
+  content.table("/fracture/broken/count", {4, 0, 0, 0, 0, 0, 0, 0}, particles, 0, H5T_NATIVE_INT);
+  content.choose();
+  content.table("/fracture/broken/values", {1, 0, 3, 1}, 4, 0, H5T_NATIVE_DOUBLE);
+  content.group("/fracture/broken_extension");
+  content.choose();
+  constexpr double size = solve::broken_extension_size;
+  content.table("/fracture/broken_extension/count", {size, 0, 0, size, 0, 0, 0, 0}, particles, 0, H5T_NATIVE_INT);
+  content.choose();
+  content.table("/fracture/broken_extension/values", std::vector<double>(2 * solve::broken_extension_size, 0.1),
+                2 * solve::broken_extension_size, 0, H5T_NATIVE_DOUBLE);
+  return content.sealed();
 }
 
-void seal(const std::string& path) {
-  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-  std::string all{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  const std::uint64_t sum = output::checksum(all.data() + output::seal_bytes, all.size() - output::seal_bytes);
-  file.clear();
-  file.seekp(0);
-  file << output::seal_text(all.size(), sum);
+/// One file on a tmpfs, of this process alone, gone at its end. HDF5 opens no file that has no path.
+class ScratchFile {
+ public:
+  ScratchFile() : path_("/dev/shm/perinox-fuzz-" + std::to_string(::getpid())) {}
+  ~ScratchFile() { ::unlink(path_.c_str()); }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  void put(const std::string& bytes) const {
+    std::ofstream file(path_, std::ios::binary);
+    demand(static_cast<bool>(file << bytes), "the file in /dev/shm cannot be written");
+  }
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+void demand_finite(const std::vector<double>& values) {
+  for (const double value : values) demand(std::isfinite(value), "a state with a number that is not finite");
+}
+
+/// What the rest of the program builds on without looking again.
+void demand_bonds(const std::vector<solve::BrokenEntry>& table, const body::Body& body) {
+  std::set<std::pair<long long, long long>> seen;
+  for (const auto& [lower, upper, round] : table) {
+    demand(lower >= 0 && lower < upper && upper < body.total, "a broken bond of particles that are not there");
+    demand(round >= 0 && round < static_cast<long long>(table.size()), "more rounds than broken bonds");
+    demand(seen.insert({lower, upper}).second, "a bond that is broken twice");
+  }
 }
 
 bool read_back(const std::string& path, const body::Body& body) {
   output::CheckpointHead head;
   if (!accepted([&] { head = output::read_checkpoint_head(path, body.communicator); })) return false;
-  demand(head.step >= 0 && head.phases >= 0 && head.history_bytes >= 0, "a head with negative numbers");
+  demand(head.step >= 0 && head.phases >= 0 && head.history_bytes >= 0 && head.convergence_bytes >= 0 &&
+             head.ranks >= 0 && head.attempt >= 0 && head.t >= 0 && std::isfinite(head.t),
+         "a head with numbers below zero");
   return accepted([&] {
     const output::CheckpointReader reader(path, body);
     for (const char* name : {"a/integer", "a/number", "a/text", "a/field", "b/c"}) reader.has(name);
     const auto count = static_cast<std::size_t>(body.owned);
-    demand(reader.particles("a/field", 2).size() == 2 * count, "a field of another size");
+    const std::vector<double> field = reader.particles("a/field", 2);
+    demand(field.size() == 2 * count, "a field of another size");
+    demand_finite(field);
     std::size_t listed = 0, received = 0;
     for (const int length : reader.list_counts("a/lists")) {
       demand(length >= 0, "a list of negative length");
       listed += static_cast<std::size_t>(length);
     }
-    reader.lists("a/lists",
-                 [&](const std::vector<LocalIndex>&, const std::vector<double>& v) { received += v.size(); });
+    reader.lists("a/lists", [&](const std::vector<LocalIndex>&, const std::vector<double>& values) {
+      demand_finite(values);
+      received += values.size();
+    });
     demand(listed == received, "lists of other lengths than they say");
+    demand_bonds(solve::read_broken_table(body, reader), body);
+    const std::vector<bonds::BrokenExtension> extension = solve::read_broken_extension(reader);
+    demand(extension.empty() || extension.size() == count, "another number of particles with broken bonds");
     reader.integer("a/integer");
-    reader.number("a/number");
+    const int whole = restored_count(reader, "a/integer", 1000);
+    demand(whole >= 0 && whole <= 1000, "a count outside its bounds");
+    demand_finite({reader.number("a/number")});
+    demand(restored_number(reader, "a/number", 0) >= 0, "a number below its bound");
     reader.text("a/text");
   });
 }
@@ -215,19 +309,17 @@ bool read_back(const std::string& path, const body::Body& body) {
 }  // namespace
 
 bool checkpoint(const std::string& input) {
-  static const std::string path = "/dev/shm/perinox-fuzz-" + std::to_string(::getpid());
+  // HDF5 keeps the half megabyte that it takes for every open file, and need not ask for it again.
+  static const herr_t kept = H5set_free_list_limits(-1, -1, -1, -1, -1, -1);
+  demand(kept >= 0, "HDF5 does not take the limits of its free lists");
+  static const ScratchFile file;
   const body::Body body = small_body(3);
+  const std::string none;
+  Bytes nothing(none, 0), bytes(input, 1);
+  static const std::string usual = made_of(nothing, body, none);
   if (input.empty()) return false;
-  if (input[0] == 'F') {
-    std::ofstream(path, std::ios::binary) << input.substr(1);
-  } else {
-    Bytes bytes(input, 1);
-    write_content(path, bytes, body);
-    seal(path);
-  }
-  const bool good = read_back(path, body);
-  ::unlink(path.c_str());
-  return good;
+  file.put(input[0] == 'F' ? input.substr(1) : made_of(bytes, body, usual));
+  return read_back(file.path(), body);
 }
 
 }  // namespace perinox::fuzz

@@ -38,6 +38,25 @@ const std::map<std::string, std::vector<std::string>> right{
     {"expression", {"condition", "functions", "lists", "nested", "ramp"}},
     {"checkpoint", {"usual"}}};
 
+/// Values under a right checksum that the rest of the program could not stand, and what the refusal says.
+const std::map<std::string, std::string> wrong_checkpoints{
+    {"broken_half_bond", "has half a bond"},
+    {"broken_no_particle", "no particles or no rounds"},
+    {"broken_with_itself", "no particles or no rounds"},
+    {"broken_half_particle", "no particles or no rounds"},
+    {"broken_negative_round", "no particles or no rounds"},
+    {"broken_huge_round", "broke in round 1000000000000000"},
+    {"broken_twice", "of the particles 0 and 1 twice"},
+    {"broken_extension_short", "has another length"},
+    {"negative_t", "its t is -1"},
+    {"not_finite_t", "its t is nan"},
+    {"not_finite_number", "holds in a/number a number that is not finite"},
+    {"not_finite_field", "holds in a/field a number that is not finite"},
+    {"not_finite_list", "holds in /a/lists a number that is not finite"},
+    {"not_finite_bond", "holds in /fracture/broken a number that is not finite"},
+    {"negative_length", "do not add up"},
+    {"huge_length", "do not add up"}};
+
 TEST_P(Corpus, IsAcceptedOrRefusedWithASentence) {
   ASSERT_GE(files().size(), 4U);
   for (const fs::path& file : files()) {
@@ -51,6 +70,15 @@ TEST_P(Corpus, WhatIsRightIsAccepted) {
     const fs::path file = fs::path(PERINOX_SOURCE_DIR) / "fuzz/corpus" / GetParam().name / name;
     ASSERT_TRUE(fs::exists(file)) << file;
     EXPECT_TRUE(GetParam().run(bytes_of(file))) << name;
+  }
+}
+
+TEST(WrongCheckpoints, AreRefused) {
+  for (const auto& [name, sentence] : wrong_checkpoints) {
+    const fs::path file = fs::path(PERINOX_SOURCE_DIR) / "fuzz/corpus/checkpoint" / name;
+    ASSERT_TRUE(fs::exists(file)) << file;
+    EXPECT_FALSE(checkpoint(bytes_of(file))) << name;
+    EXPECT_NE(refusal().find(sentence), std::string::npos) << name << ": " << refusal();
   }
 }
 
