@@ -14,14 +14,46 @@ namespace {
 /// Rough: what a lattice body takes on a core of 2020, docs/performance.md.
 constexpr double nanoseconds_a_bond = 1.5, nanoseconds_a_pair = 4;
 
+/// A load step takes two Newton iterations at least, each of a linear solve with twenty products and its
+/// preconditioner.
+constexpr double least_products_a_step = 60;
+/// A core's year is not what anybody means to wait for.
+constexpr double long_seconds = 365.25 * 86400;
+
+/// Core seconds of a product of the tangent, or of a time step. Collective.
+double seconds_of_a_sweep(const Problem& problem, const Communicator& communicator) {
+  const auto bonds = static_cast<double>(communicator.sum(problem.scene.families().directed));
+  return 1e-9 * bonds * (problem.scene.lattice() ? nanoseconds_a_bond : nanoseconds_a_pair);
+}
+
+std::string remark_on(double seconds, const char* what) {
+  if (seconds < long_seconds) return "";
+  return fmt::format("  warning: {:.3g} years of a core; is {} what you mean?\n", seconds / long_seconds, what);
+}
+
+/// Number of load steps, what is written, cost at least; empty for a deck that moves in time. Collective.
+std::string load_steps_in_words(const Problem& problem, const Communicator& communicator) {
+  const deck::Deck& deck = problem.deck;
+  if (deck.dynamics == deck::Dynamics::explicit_) return "";
+  const bool arc = deck.steps.control == deck::Control::arc_length;
+  const int count = arc ? deck.arc_length.max_steps : deck.steps.count;
+  const double seconds = least_products_a_step * count * seconds_of_a_sweep(problem, communicator);
+  return fmt::format(
+             "load steps\n  {}{} of them{}, every {} written to results.h5; {} about {:.3g} core seconds, more where "
+             "it "
+             "flows or breaks\n",
+             arc ? "at most " : "", count, arc ? "" : fmt::format(", each {:.4g} in t", deck.steps.end / count),
+             deck.output.every == 1 ? std::string("one") : fmt::format("{}th", deck.output.every),
+             arc ? "then" : "at least", seconds) +
+         remark_on(seconds, arc ? "arc_length.max_steps" : "steps.count");
+}
+
 /// Time step, number of time steps, cost; empty for a quasi-static deck. Collective.
 std::string motion_in_words(Problem& problem, const Communicator& communicator) {
   if (problem.deck.dynamics != deck::Dynamics::explicit_) return "";
   solve::TimeStepper stepper(problem.deck, problem.scene);
   const solve::TimeStepPlan plan = stepper.plan();
-  const auto bonds = static_cast<double>(communicator.sum(problem.scene.families().directed));
-  const double seconds = 1e-9 * bonds * static_cast<double>(plan.time_steps) *
-                         (problem.scene.lattice() ? nanoseconds_a_bond : nanoseconds_a_pair);
+  const double seconds = static_cast<double>(plan.time_steps) * seconds_of_a_sweep(problem, communicator);
   std::string text = fmt::format(
       "motion in time\n  {} time steps of {:.4g}; the largest stable one is {:.4g}\n  about {:.3g} core seconds, as "
       "long as nothing flows\n",
@@ -29,6 +61,7 @@ std::string motion_in_words(Problem& problem, const Communicator& communicator) 
   if (const solve::Contact* contact = stepper.motion().contact())
     text += fmt::format("  contact: {} exposed particles are watched\n",
                         communicator.sum(static_cast<long long>(contact->exposed())));
+  text += remark_on(seconds, "steps.end");
   if (!plan.remark.empty()) text += fmt::format("  warning: {}\n", plan.remark);
   return text;
 }
@@ -39,6 +72,7 @@ int check(const Options& options, const Communicator& communicator) {
   Problem problem = prepare(options, communicator);
   const solve::Boundary boundary(problem.deck, problem.scene);
   say_remarks(boundary, communicator);
+  const std::string steps = load_steps_in_words(problem, communicator);
   const std::string in_time = motion_in_words(problem, communicator);
   std::string damage;
   if (problem.deck.breaks())
@@ -48,7 +82,7 @@ int check(const Options& options, const Communicator& communicator) {
   fmt::print("{}{}", problem.report.summary, problem.report.details);
   fmt::print("boundary\n  {} unknowns prescribed, {} free\n", boundary.prescribed_count(), boundary.free_count());
   if (!damage.empty()) fmt::print("fracture\n{}", damage);
-  fmt::print("{}", in_time);
+  fmt::print("{}{}", steps, in_time);
   fmt::print("\n# the resolved deck\n{}", deck::write_resolved(problem.deck));
   fmt::print("# {} is a valid deck\n", options.deck);
   return 0;

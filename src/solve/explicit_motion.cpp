@@ -1,9 +1,12 @@
 #include "perinox/solve/explicit_motion.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "perinox/core/error.hpp"
 #include "perinox/mechanics/internal_force.hpp"
 #include "perinox/solve/loose_pieces.hpp"
 #include "perinox/solve/stable_step.hpp"
@@ -110,6 +113,11 @@ double ExplicitMotion::stable_time_step() {
     if (const auto bound = time_steps_ == 0 ? eigenvalue_bound(scene_, masses_) : std::nullopt)
       lambda = std::min(lambda, *bound);
     if (contact_) lambda += contact_->largest_eigenvalue(masses_);
+    if (!std::isfinite(lambda))
+      throw RunError(
+          fmt::format("the largest eigenvalue of the tangent over the masses is {}: there is no stable time "
+                      "step; look at the units of moduli, densities and lengths",
+                      lambda));
     lambda_ = lambda;
   }
   return *lambda_ > 0 ? settings_.safety * 2 / std::sqrt(*lambda_) : std::numeric_limits<double>::infinity();

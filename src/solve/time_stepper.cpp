@@ -29,10 +29,11 @@ ExplicitMotion::Settings settings_of(const deck::Deck& deck, const mechanics::Sc
   return settings;
 }
 
-/// Equal time steps of at most `longest` that fill `span`.
-long long count_of(double span, double longest) {
-  return std::max(1LL, static_cast<long long>(std::ceil(span / longest * (1 - 1e-12))));
-}
+/// Of a whole run: with more of them t does not move any more where it is of the order of the run's end.
+constexpr double most_time_steps = 1e15;
+
+/// Equal time steps of at most `longest` that fill `span`: a whole number, 0 < longest.
+double count_of(double span, double longest) { return std::max(1.0, std::ceil(span / longest * (1 - 1e-12))); }
 }  // namespace
 
 TimeStepper::TimeStepper(const deck::Deck& deck, mechanics::Scene& scene)
@@ -56,9 +57,14 @@ TimeStepPlan TimeStepper::plan() {
   TimeStepPlan plan;
   plan.stable = motion_->stable_time_step() / time_step_safety(deck_, scene_);
   const double row = deck_.steps.end / std::max(1, deck_.steps.count);
-  const long long count = count_of(row, time_step());
-  plan.length = row / static_cast<double>(count);
-  plan.time_steps = count * deck_.steps.count;
+  const double count = count_of(row, time_step());
+  plan.length = row / count;
+  if (!(count * deck_.steps.count <= most_time_steps))
+    deck::refuse(deck_.motion.location,
+                 fmt::format("t goes from 0 to {:g} in {:.3g} time steps of {:.4g}, more than {:.0e}; take a longer "
+                             "time_step or a smaller steps.end, and look at the units of moduli and densities",
+                             deck_.steps.end, count * deck_.steps.count, plan.length, most_time_steps));
+  plan.time_steps = static_cast<long long>(count) * deck_.steps.count;
   if (plan.length > plan.stable)
     plan.remark = fmt::format(
         "{}: the time step {:.4g} is above the largest stable one, {:.4g}: the motion will grow without bound; take "
@@ -103,7 +109,12 @@ void TimeStepper::begin_row(double t) {
   row_longest_ = time_step();
   row_end_ = t;
   row_done_ = 0;
-  row_count_ = count_of(span, row_longest_);
+  // plan() has refused what is too many, but bonds that stiffen may have made the stable time step shorter since.
+  const double count = count_of(span, row_longest_);
+  if (!(count <= most_time_steps))
+    throw RunError(fmt::format("stopped at t = {:.6g} of {:g}: the largest stable time step has become {:.4g}",
+                               motion_->t(), deck_.steps.end, row_longest_));
+  row_count_ = static_cast<long long>(count);
   length_ = span / static_cast<double>(row_count_);
 }
 

@@ -233,6 +233,19 @@ TEST(Check, SaysWhereTheStrainIsFitted) {
   EXPECT_THAT(said("whole"), ::testing::Not(HasSubstr("fitted")));
 }
 
+TEST(Check, SaysHowManyStepsAndWarnsOfYears) {
+  const Folder folder;
+  folder.write("deck.yaml", base_deck);
+  const auto said = [&](const std::string& count) {
+    return folder.perinox({"check", "deck.yaml", "--set", "steps.count=" + count}).out;
+  };
+  EXPECT_THAT(said("20"), HasSubstr("\nload steps\n  20 of them, each 0.05 in t, every one written to results.h5; at "
+                                    "least about "));
+  EXPECT_THAT(said("20"), ::testing::Not(HasSubstr("warning")));
+  folder.write("deck.yaml", changed(base_deck, "spacing: 1.0", "spacing: 0.1"));
+  EXPECT_THAT(said("1000000000"), HasSubstr(" years of a core; is steps.count what you mean?\n"));
+}
+
 TEST(Check, SaysWhichTangentAndWhy) {
   const Folder folder;
   folder.write("deck.yaml", changed(base_deck, "  tangent: matrix-free\n", ""));

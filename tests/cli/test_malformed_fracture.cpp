@@ -98,6 +98,8 @@ const FractureMistake mistakes[] = {
      "deck.yaml:31:27: longest_time must be a number, but 'long' was found"},
     {"unknown_dynamics", "elastic", "    density: 1.0e-9\n", "dynamics: implicit\n",
      "deck.yaml:31:11: dynamics cannot be 'implicit'; did you mean explicit?"},
+    {"time_steps_without_end", "elastic", "    density: 7.85e-9\n",
+     "dynamics: explicit\nexplicit: {time_step: 1e-300}\n", "more than 1e+15; take a longer time_step"},
     {"dynamics_without_a_density", "elastic", "", "dynamics: explicit\n",
      "deck.yaml:13:5: the material steel needs the key density: dynamics is explicit"},
     {"initial_velocity_at_rest", "elastic", "    density: 1.0e-9\n",
