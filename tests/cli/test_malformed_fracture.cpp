@@ -99,7 +99,10 @@ const FractureMistake mistakes[] = {
     {"unknown_dynamics", "elastic", "    density: 1.0e-9\n", "dynamics: implicit\n",
      "deck.yaml:31:11: dynamics cannot be 'implicit'; did you mean explicit?"},
     {"time_steps_without_end", "elastic", "    density: 7.85e-9\n",
-     "dynamics: explicit\nexplicit: {time_step: 1e-300}\n", "more than 1e+15; take a longer time_step"},
+     "dynamics: explicit\nexplicit: {time_step: 1e-300}\n",
+     "deck.yaml:32:11: t goes from 0 to 1 in 1e+300 time steps of 1e-300, more than 1e+15; take a longer time_step or "
+     "a "
+     "smaller steps.end, and look at the units of moduli and densities"},
     {"dynamics_without_a_density", "elastic", "", "dynamics: explicit\n",
      "deck.yaml:13:5: the material steel needs the key density: dynamics is explicit"},
     {"initial_velocity_at_rest", "elastic", "    density: 1.0e-9\n",
