@@ -7,6 +7,11 @@
 namespace perinox::solve {
 
 namespace {
+/// Distance of particle i from its neighbours: on a lattice it does not go by the part of a cell that i stands for.
+double spacing_of(const body::Body& body, LocalIndex i) {
+  return body.spacing > 0 ? body.spacing : std::pow(body.volume[i], 1.0 / body.dimension);
+}
+
 /// Mean of the bonds' directions from which a particle counts as exposed: 0.5 on a flat face, about 0.15 one layer
 /// below it at three spacings, at most 0.09 from the scatter of a cloud.
 constexpr double lopsided = 0.12;
@@ -36,7 +41,7 @@ Contact::Contact(const mechanics::Scene& scene, const deck::Contact& settings)
     : scene_(scene), settings_(settings), d_(scene.dimension()), stiffness_(static_cast<std::size_t>(scene.owned())) {
   double widest = 0;
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
-    const double spacing = std::pow(scene.body().volume[i], 1.0 / d_);
+    const double spacing = spacing_of(scene.body(), i);
     widest = std::max(widest, spacing);
     const double mu = scene.material(i).elastic_moduli(d_).shear;
     const double alpha = d_ * (d_ + 2) * mu / scene.families().weighted_volume[i];
@@ -82,7 +87,7 @@ void Contact::find_exposed() {
     point.id = body.id[i];
     for (int c = 0; c < d_; ++c) point.reference[c] = body.position(i)[c];
     point.volume = body.volume[i];
-    point.spacing = std::pow(body.volume[i], 1.0 / d_);
+    point.spacing = spacing_of(body, i);
     point.stiffness = stiffness_[i];
     particle_.push_back(i);
     own_.push_back(point);
