@@ -135,8 +135,8 @@ int run(const Options& options, const Communicator& communicator) {
         e.stored, e.dissipated, e.external_work, gap, directory_of(options, from));
   if (communicator.is_root() && std::abs(gap) > worth_a_warning)
     fmt::print(stderr,
-               "warning: the external work is {:.1f} % {} than what is stored and dissipated; it is summed by the "
-               "trapezoidal rule, and the steps are too long for that: take more of them\n",
+               "warning: the external work is {:.1f} % {} than what is stored and dissipated; it is taken along "
+               "the chord of each step, and the steps are too long for that: take more of them\n",
                100 * std::abs(gap), gap > 0 ? "more" : "less");
   return 0;
 }

@@ -17,7 +17,7 @@ Key tolerance_key(std::string name, std::string fallback, std::string sentence) 
 Key declare_solver() {
   Key newton = map_key(
       "newton", "Newton's iteration of a step.",
-      {tolerance_key("tolerance", "1e-8", "Force residual, relative to the reactions, at which a step is converged."),
+      {tolerance_key("tolerance", "1e-9", "Force residual, relative to the reactions, at which a step is converged."),
        tolerance_key(
            "update_tolerance", "1e-6",
            "What another Newton update would change, relative to the step's displacement increment, at which a "

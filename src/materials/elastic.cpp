@@ -22,7 +22,8 @@ PointState Elastic::state(const FamilySums& sums, const double*, double*) const 
   // the plane bulk moduli are lambda + mu and (lambda + mu) less lambda^2/(lambda + 2 mu).
   if (dimension_ == deck::Dimension::plane_strain) point.response.stress_zz = (bulk_ - shear_) * theta;
   if (dimension_ == deck::Dimension::plane_stress) point.response.strain_zz = -(bulk_ - shear_) / (2 * shear_) * theta;
-  point.response.stored_energy = 0.5 * (bulk_ * theta * theta + alpha * sums.square_about(point.mean));
+  point.response.unflowed_energy = point.response.stored_energy =
+      0.5 * (bulk_ * theta * theta + alpha * sums.square_about(point.mean));
   return point;
 }
 

@@ -72,9 +72,13 @@ PointState ElasticPlastic::state(const FamilySums& sums, const double* committed
 
   PointResponse& response = point.response;
   response.dilatation = r.dilatation;
-  double deviatoric = r.scale * r.scale * r.strain_square;
-  if (overlay_ > 0) deviatoric = (deviatoric + overlay_ * sums.total_about(point.mean)) * inner_;
-  response.stored_energy = 0.5 * (parameters_.bulk * r.dilatation * r.dilatation + r.alpha * deviatoric);
+  const double total = overlay_ > 0 ? overlay_ * sums.total_about(point.mean) : 0;
+  const auto energy = [&](double scale) {
+    const double deviatoric = (scale * scale * r.strain_square + total) * inner_;
+    return 0.5 * (parameters_.bulk * r.dilatation * r.dilatation + r.alpha * deviatoric);
+  };
+  response.stored_energy = energy(r.scale);
+  response.unflowed_energy = energy(1);
   response.dissipation = r.potential;  // Delta lambda beta^2 without hardening
   response.hardening_potential = r.potential;
   response.yielding = r.yielding;

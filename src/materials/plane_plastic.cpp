@@ -120,12 +120,18 @@ PointState PlanePlastic::state(const FamilySums& sums, const double* committed, 
 
   PointResponse& response = point.response;
   response.dilatation = r.dilatation;
-  double deviatoric = r.shear * r.shear * r.energy;
-  if (h > 0) deviatoric = (deviatoric + h * r.alpha * sums.total_about(point.mean)) / (1 + h);
-  const double rest =
-      stress_ ? point.pressure * point.pressure / plane_bulk_ + 3 * parameters_.kinematic_shear * z * z
-              : parameters_.bulk * r.dilatation * r.dilatation + 3 * mu * (out * out + h * theta3 * theta3) / (1 + h);
-  response.stored_energy = 0.5 * (rest + deviatoric);
+  const double total = h > 0 ? h * r.alpha * sums.total_about(point.mean) : 0;
+  const auto energy = [&](double shear, double out_of_plane, double plastic_zz) {
+    const double deviatoric = (shear * shear * r.energy + total) / (1 + h);
+    if (!stress_)
+      return 0.5 * (deviatoric + parameters_.bulk * r.dilatation * r.dilatation +
+                    3 * mu * (out_of_plane * out_of_plane + h * theta3 * theta3) / (1 + h));
+    const double elastic = r.dilatation + plastic_zz;
+    return 0.5 *
+           (deviatoric + plane_bulk_ * elastic * elastic + 3 * parameters_.kinematic_shear * plastic_zz * plastic_zz);
+  };
+  response.stored_energy = energy(r.shear, out, z);
+  response.unflowed_energy = energy(1, r.out, committed[strain_zz]);
   response.dissipation = r.potential;
   response.hardening_potential = r.potential;
   response.yielding = r.yielding;

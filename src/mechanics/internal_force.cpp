@@ -19,7 +19,7 @@ void prepare(const Scene& scene, const Committed& committed, Trial& trial) {
   trial.mean.assign(owned, 0.0);
   trial.stored_energy.resize(owned);
   trial.flow.resize(scene.plastic() ? owned : 0);
-  trial.stored = trial.dissipated = 0;
+  trial.stored = trial.unflowed = trial.dissipated = 0;
   trial.yielding = 0;
 }
 
@@ -47,6 +47,7 @@ Evaluation::Law& answers(const Scene& scene, const Committed& committed, Trial& 
     trial.dilatation[i] = point.response.dilatation;
     trial.stored_energy[i] = point.response.stored_energy;
     trial.stored += scene.body().volume[i] * point.response.stored_energy;
+    trial.unflowed += scene.body().volume[i] * point.response.unflowed_energy;
     trial.dissipated += scene.body().volume[i] * point.response.dissipation;
     trial.yielding += point.response.yielding ? 1 : 0;
   }
@@ -80,6 +81,21 @@ void internal_force(const Scene& scene, const Committed& committed, const double
   }
   scene.body().halo.add_to_owners(all.data(), scene.dimension());
   std::copy(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()), force);
+}
+
+double unflowed_energy(const Scene& scene, const Committed& committed, const double* displacement) {
+  Evaluation& evaluation = scene.evaluation();
+  evaluation.at(scene, committed, displacement);
+  double energy = 0;
+  std::vector<double> scratch;
+  materials::StrainFit fit;
+  for (LocalIndex i = 0; i < scene.owned(); ++i) {
+    scratch.resize(static_cast<std::size_t>(scene.point_history()[i + 1] - scene.point_history()[i]));
+    const materials::PointState point = scene.material(i).state(evaluation.sums(scene, committed, i, fit),
+                                                                committed.point_history(scene, i), scratch.data());
+    energy += scene.body().volume[i] * point.response.unflowed_energy;
+  }
+  return energy;
 }
 
 void force_states(const Scene& scene, const Committed& state, double* points) {

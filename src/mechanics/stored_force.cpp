@@ -23,6 +23,7 @@ void force_of_points(const Scene& scene, const Committed& committed, Trial& tria
     trial.dilatation[i] = response.dilatation;
     trial.stored_energy[i] = response.stored_energy;
     trial.stored += volume[i] * response.stored_energy;
+    trial.unflowed += volume[i] * response.unflowed_energy;
     trial.dissipated += volume[i] * response.dissipation;
     trial.yielding += response.yielding ? 1 : 0;
 

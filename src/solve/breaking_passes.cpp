@@ -12,6 +12,7 @@ namespace perinox::solve {
 namespace {
 /// Phases of motion at one load before the run gives up.
 constexpr int most_phases = 20;
+constexpr double most_patience = 1000;
 }  // namespace
 
 LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
@@ -74,11 +75,11 @@ LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, NewtonResult& tot
 
 std::string LoadStepper::go_through_motion(Observer& observer, double t, const Loss& loss, NewtonResult& total) {
   phase_.total = total;
-  begin_phase(observer, t, loss);
+  begin_phase(observer, t, loss, 1);
   return finish_motion(observer, total);
 }
 
-void LoadStepper::begin_phase(Observer& observer, double t, const Loss& loss) {
+void LoadStepper::begin_phase(Observer& observer, double t, const Loss& loss, double patience) {
   MotionPhase row;
   row.number = phase_.row.number + 1;
   row.step = step_;
@@ -88,7 +89,7 @@ void LoadStepper::begin_phase(Observer& observer, double t, const Loss& loss) {
   phase_.row = row;
   observer.phase_begins(row);
   hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get());
-  hand_over_->begin(std::move(committed_), t);
+  hand_over_->begin(std::move(committed_), t, patience);
 }
 
 std::string LoadStepper::finish_motion(Observer& observer, NewtonResult& total) {
@@ -97,6 +98,7 @@ std::string LoadStepper::finish_motion(Observer& observer, NewtonResult& total) 
   };
   for (;;) {
     const HandOver::Result result = hand_over_->run(committed_, observer, force_, external_, passing);
+    const double more_patience = std::min(most_patience, 10 * hand_over_->patience());
     hand_over_.reset();
     total = phase_.total;
     MotionPhase& row = phase_.row;
@@ -149,7 +151,7 @@ std::string LoadStepper::finish_motion(Observer& observer, NewtonResult& total) 
       return fmt::format("no equilibrium at t = {:.6g} after going on in time {} times: {}", committed_.t(),
                          most_phases, loss.reason);
     phase_.total = total;
-    begin_phase(observer, committed_.t(), loss);
+    begin_phase(observer, committed_.t(), loss, found.converged ? 1 : more_patience);
   }
 }
 

@@ -41,7 +41,7 @@ HandOver::HandOver(const deck::Deck& deck, mechanics::Scene& scene, Boundary& bo
 
 void HandOver::make_motion(mechanics::Committed&& state, double rate) {
   ExplicitMotion::Settings settings;
-  settings.damping = deck_.hand_over.damping.value_or(damping_over_passage / passage_);
+  settings.damping = deck_.hand_over.damping.value_or(damping_over_passage / (passage_ * patience_));
   settings.contact = deck_.motion.contact;
   settings.rate = rate;
   settings.safety = time_step_safety(deck_, scene_);
@@ -49,7 +49,8 @@ void HandOver::make_motion(mechanics::Committed&& state, double rate) {
       std::make_unique<ExplicitMotion>(scene_, boundary_, particle_masses(deck_, scene_), std::move(state), settings);
 }
 
-void HandOver::begin(mechanics::Committed&& state, double t) {
+void HandOver::begin(mechanics::Committed&& state, double t, double patience) {
+  patience_ = patience;
   const double rate = deck_.hand_over.rate > 0 ? deck_.hand_over.rate : (t - state.t()) / passage_;
   to_ = t;
   make_motion(std::move(state), rate);
@@ -57,6 +58,7 @@ void HandOver::begin(mechanics::Committed&& state, double t) {
 
 void HandOver::save(StateWriter& writer) const {
   writer.number("phase/to", to_);
+  writer.number("phase/patience", patience_);
   writer.number("phase/last_break", last_break_);
   writer.number("phase/most_stored", most_stored_);
   writer.integer("phase/estimated", estimated_);
@@ -67,6 +69,7 @@ void HandOver::save(StateWriter& writer) const {
 
 void HandOver::restore(StateReader& reader) {
   to_ = reader.number("phase/to");
+  patience_ = restored_number(reader, "phase/patience", 1);
   last_break_ = reader.number("phase/last_break");
   most_stored_ = reader.number("phase/most_stored");
   constexpr long long most = std::numeric_limits<long long>::max();
@@ -93,8 +96,8 @@ void HandOver::advance(double dt) {
 HandOver::Result HandOver::run(mechanics::Committed& state, Observer& observer, std::vector<double>& force,
                                std::vector<double>& external, const Passing& passing) {
   const deck::HandOver& said = deck_.hand_over;
-  const double quiet = said.quiet_time.value_or(passage_),
-               longest = said.longest_time.value_or(most_passages * passage_);
+  const double quiet = said.quiet_time.value_or(passage_) * patience_,
+               longest = said.longest_time.value_or(most_passages * patience_ * passage_);
   for (;;) {
     const double dt = motion_->stable_time_step();
     if (!std::isfinite(dt)) {  // nothing is free to move
@@ -117,7 +120,7 @@ HandOver::Result HandOver::run(mechanics::Committed& state, Observer& observer, 
     }
     if (motion_->time() - last_break_ >= quiet && motion_->time() >= quiet) {
       if (let_loose_go(observer)) last_break_ = motion_->time();
-      if (motion_->energies().moving <= said.kinetic_share * most_stored_) {
+      if (motion_->energies().moving <= said.kinetic_share / patience_ * most_stored_) {
         result_.at_rest = true;
         break;
       }

@@ -146,7 +146,7 @@ bool LoadStepper::advance(Observer& observer, NewtonResult& result) {
   if (converged_) converged_(committed_, trial);
   begin_step();
   control_->accept(committed_, trial);
-  commit(std::move(trial), std::move(force));
+  commit(std::move(trial), std::move(force), true);
   settle(observer, result);
   return true;
 }
@@ -178,7 +178,18 @@ void LoadStepper::stop(Observer& observer, double t, const NewtonResult& result)
       deck_.steps.adaptive ? " at its smallest size" : " and steps.adaptive is false", result.reason));
 }
 
-void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) {
+void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force, bool followed) {
+  const Communicator& ranks = scene_.body().communicator;
+  // The chord's work misses the bend at the yield point: by the plastic work less the mean force state of the step's
+  // two ends over its flow, which is (W(u0, p0) - W(u0, p1) + W(u1, p0) - W(u1, p1))/2 for a quadratic W(u, p).
+  const bool bends = followed && scene_.from_sums() && ranks.any(trial.yielding > 0);
+  std::vector<double> start;
+  double bend = 0;
+  if (bends) {
+    start = committed_.displacement();
+    bend = trial.dissipated -
+           0.5 * (mechanics::unflowed_energy(scene_, committed_, start.data()) + trial.unflowed - trial.stored);
+  }
   std::vector<double> external(scene_.owned_unknowns());
   boundary_.external_force(trial.t, external.data());
   // Outside forces on the body: the given ones, and on prescribed unknowns whatever balances the internal force.
@@ -190,7 +201,7 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) 
   }
   std::vector<double> sums{work, trial.stored - loose_energy(scene_, boundary_.loose(), trial.stored_energy),
                            trial.dissipated};
-  scene_.body().communicator.sum(sums);
+  ranks.sum(sums);
   energies_.external_work += sums[0];
   energies_.stored = sums[1];
   energies_.dissipated += sums[2];
@@ -198,6 +209,8 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force) 
   dilatation_ = std::move(trial.dilatation);
   stored_energy_ = std::move(trial.stored_energy);
   committed_.advance(scene_, std::move(trial));
+  if (bends)
+    energies_.external_work += ranks.sum(bend + 0.5 * mechanics::unflowed_energy(scene_, committed_, start.data()));
   force_ = std::move(force);
   external_ = std::move(external);
 }

@@ -70,7 +70,7 @@ TEST(Help, TellsAKeyByItsPath) {
             "  Force residual, relative to the reactions, at which a step is converged.\n"
             "  type: number\n"
             "  unit: dimensionless\n"
-            "  default: 1e-8\n"
+            "  default: 1e-9\n"
             "  range: greater than 0 and at most 1\n");
 }
 
@@ -186,7 +186,7 @@ TEST(JsonSchema, IsWellFormedAndNamesEveryKey) {
   const YAML::Node tolerance = json["properties"]["solver"]["properties"]["newton"]["properties"]["tolerance"];
   EXPECT_EQ(tolerance["exclusiveMinimum"].as<double>(), 0.0);
   EXPECT_EQ(tolerance["maximum"].as<double>(), 1.0);
-  EXPECT_EQ(tolerance["default"].as<double>(), 1e-8);
+  EXPECT_EQ(tolerance["default"].as<double>(), 1e-9);
   EXPECT_EQ(json["additionalProperties"].as<bool>(), false);
   EXPECT_EQ(json["properties"]["materials"]["additionalProperties"]["oneOf"].size(), 2u);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "perinox/solve/hand_over.hpp"
 #include "support/breaking_decks.hpp"
@@ -125,6 +126,44 @@ history: [{name: bow, displacement: end, component: y}]
   EXPECT_GT(bow, 2);
   EXPECT_LE(measured("bar bent in time: bow against Newton's", std::abs(found / bow - 1)), 1e-6);  // 2.6e-11
   EXPECT_LE(measured("bar bent in time: energy not accounted for", moved.energy_gap()), 1e-4);     // 1.7e-7
+}
+
+// Just beyond its limit point an arch moves so slowly at first that it seems to rest where there is no equilibrium.
+TEST(HandOver, AnArchSnapsThroughUnderLoadControl) {
+  const std::string points = ::testing::TempDir() + "arch_that_snaps.csv";
+  {
+    std::ofstream file(points);
+    file << "x,y,z,volume\n";
+    for (int x = -27; x <= 27; ++x)
+      for (const double side : {-0.5, 0.5})
+        file << fmt::format("{},{},0,1\n", x, side + std::max(0.0, 4 * (1 - std::abs(x) / 24.0)));
+  }
+  const FractureRun run(deck_of(R"(
+dimension: plane-stress
+body: [{name: arch, shape: {file: )" +
+                                points +
+                                R"(}, spacing: 1, material: steel}]
+horizon: {ratio: 2.015}
+materials: {steel: {model: elastic, young_modulus: 210e3, poisson_ratio: 0.3, density: 7.85e-9}}
+sets: {feet: {where: "abs(x) > 24.5"}, crown: {where: "abs(x) < 0.5"}}
+boundary:
+  - {set: feet, displacement: {x: 0, y: 0}}
+  - {set: crown, force: {y: "-3000*t"}}
+steps: {end: 1, count: 20, max_cuts: 6}
+fallback: explicit
+history: [{name: crown, displacement: crown, component: y}]
+)"));
+  ASSERT_EQ(run.stopped, "");
+  ASSERT_GE(run.records.phases.size(), 2u);
+  EXPECT_LT(run.records.phases[0].damped_energy, 0.1);
+  const solve::MotionPhase& snap = run.records.phases.back();
+  EXPECT_TRUE(snap.at_rest);
+  EXPECT_GT(snap.damped_energy, 1000);  // 1602 of the 3000 that are stored afterwards
+  for (const solve::MotionPhase& phase : run.records.phases) EXPECT_EQ(phase.step, snap.step);
+  const auto crown = [&](int step) { return run.records.steps.at(static_cast<std::size_t>(step - 1)).history[0]; };
+  EXPECT_GT(crown(snap.step - 1), -2);
+  EXPECT_LT(crown(snap.step), -6);
+  EXPECT_LE(measured("arch that snaps: energy not accounted for", run.energy_gap()), 1e-3);  // 2.8e-4
 }
 
 TEST(HandOver, TheDeckSaysWhenItIsTaken) {

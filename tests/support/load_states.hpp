@@ -90,12 +90,14 @@ inline const char* name_of(deck::Quadrature quadrature) {
 
 /// A small lattice of one material: 5 x 4 x 4 particles, in 2-D 8 x 6. Its spacing is not 1, so that a missing power
 /// of it shows; the horizon reaches a few particles from every point and all of the body from none.
-inline mechanics::Scene small_scene(const MaterialRow& row, deck::Influence influence, deck::Quadrature quadrature) {
+inline mechanics::Scene small_scene(const MaterialRow& row, deck::Influence influence, deck::Quadrature quadrature,
+                                    bool small_strain = false) {
   const bool flat = row.dimension == 2;
   deck::Deck deck = flat ? lattice_deck(deck::Dimension::plane_strain, {8, 6, 1}, 0.4, 2.2)
                          : lattice_deck(deck::Dimension::three, {5, 4, 4}, 0.4, 2.2);
   deck.influence = influence;
   deck.quadrature = quadrature;
+  deck.small_strain = small_strain;
   return make_scene(deck, materials_of(row.make()));
 }
 

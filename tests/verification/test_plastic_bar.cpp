@@ -103,11 +103,11 @@ TEST(PlasticBar, Hardening) {
 
 TEST(PlasticBar, EnergyBalance) {
   Verification table("energy", "bar of 8 x 8 x 32 h, hardening E/20: share of the work unaccounted for", "none");
-  for (const int steps : resolutions({10, 20, 40}, {80, 160})) {
+  for (const int steps : resolutions({1, 10, 40}, {160})) {
     const Curve curve = pulled_bar("position-aware", 8, young / 20, steps);
     const double error =
-        table.converging("position-aware", fmt::format("{} steps", steps), curve.particles, curve.unaccounted, steps);
-    EXPECT_LE(std::abs(error), 0.01 / steps);  // 0.0068, 0.0057, 0.0048, 0.0035 over the steps
+        table.row("position-aware", fmt::format("{} steps", steps), curve.particles, curve.unaccounted);
+    EXPECT_LE(std::abs(error), 1e-8);  // MEASURE
   }
 }
 

@@ -153,7 +153,7 @@ enum class Forcing { eisenstat_walker, constant };
 enum class LinearMethod { automatic, cg, gmres, direct };
 enum class Preconditioner { automatic, none, two_level, block_jacobi, jacobi, symmetric_gauss_seidel, chebyshev, ilu };
 struct Newton {
-  double tolerance = 1e-8;  ///< of the force residual, relative to the reactions
+  double tolerance = 1e-9;  ///< of the force residual, relative to the reactions
   double update_tolerance =
       1e-6;  ///< of what another update would change, relative to the step's displacement increment
   int max_iterations = 25;

@@ -91,6 +91,7 @@ struct HistoryLayout {
 struct PointResponse {
   double dilatation = 0;           ///< theta (Eq. 9), dimensionless
   double stored_energy = 0;        ///< recoverable energy a volume, W
+  double unflowed_energy = 0;      ///< the same, had nothing flowed in this step
   double dissipation = 0;          ///< plastic work of this step, the yield stress over its flow, energy a volume, >= 0
   double hardening_potential = 0;  ///< work of the yield value over the step's flow; W + this is t's potential
   bool yielding = false;           ///< plastic flow in this step

@@ -20,6 +20,7 @@ struct Trial {
   std::vector<double> mean;           ///< [owned] dilatation/d as the material takes it
   std::vector<double> stored_energy;  ///< [owned] energy a volume
   double stored = 0;                  ///< energy of this rank's particles
+  double unflowed = 0;                ///< energy of this rank's particles, had nothing flowed in the step
   double dissipated = 0;              ///< energy this rank's particles dissipate in the step
   long long yielding = 0;             ///< this rank's particles that flow in the step
 };

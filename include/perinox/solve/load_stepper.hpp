@@ -22,10 +22,12 @@ namespace perinox::solve {
 struct Energies {
   double stored = 0;  ///< in what is held: not in pieces taken out as loose
   double dissipated = 0;
-  double external_work = 0;  ///< of the reactions and the external forces, trapezoidal over each step
-  double released = 0;       ///< stored energy that went with breaking bonds, the deformation held
-  double relaxed = 0;        ///< lost on the way down to the next equilibrium, or stored in what came loose
-  double damped = 0;         ///< while the run went on in time, the kinetic energy left at its end included
+  /// Of the reactions and the external forces, trapezoidal over each step; where something flows in a load step, the
+  /// work of the path that return mapping takes (docs/theory.md, section 4).
+  double external_work = 0;
+  double released = 0;  ///< stored energy that went with breaking bonds, the deformation held
+  double relaxed = 0;   ///< lost on the way down to the next equilibrium, or stored in what came loose
+  double damped = 0;    ///< while the run went on in time, the kinetic energy left at its end included
 };
 
 /// Drives a scene from t = 0 to its end, in load steps or along an arc (step_control.hpp). The only place where a trial
@@ -71,7 +73,8 @@ class LoadStepper {
   /// True where what is free has moved farther than `deformation: small` can mean: half the body, and not because it
   /// was prescribed.
   bool runs_away(const mechanics::Trial& trial) const;
-  void commit(mechanics::Trial&& trial, std::vector<double>&& force);
+  /// followed: equilibrium was kept on the way from the committed state, which flow may have bent.
+  void commit(mechanics::Trial&& trial, std::vector<double>&& force, bool followed = false);
   /// written: the fields that cost something are made too.
   StepRecord record(const NewtonResult& result, bool written);
   struct Loss {
@@ -90,7 +93,8 @@ class LoadStepper {
   std::string go_through_motion(Observer& observer, double t, const Loss& loss, NewtonResult& total);
   /// The same from within a phase.
   std::string finish_motion(Observer& observer, NewtonResult& total);
-  void begin_phase(Observer& observer, double t, const Loss& loss);
+  /// patience: as in HandOver::begin.
+  void begin_phase(Observer& observer, double t, const Loss& loss, double patience);
   /// One load step, or its rest after a restart within it; false if a smaller one is to be tried.
   bool advance(Observer& observer, NewtonResult& result);
   /// The bonds that are critical after an equilibrium, and what follows if there is none afterwards.
