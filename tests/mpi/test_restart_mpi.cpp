@@ -107,15 +107,15 @@ std::pair<double, double> differences(const deck::Deck& deck) {
 
 TEST(RestartOnRanks, OtherRanksGoOnToRounding) {
   if (Communicator(MPI_COMM_WORLD).size() != 3) GTEST_SKIP() << "three ranks try 1, 2 and 3";
-  for (const double tolerance : {1e-8, 1e-9, 1e-10, 1e-11}) {
+  for (const double tolerance : {1e-8, 1e-9, 1e-11}) {
     const auto [restarted, uninterrupted] =
         differences(deck_of(bar, {fmt::format("solver.newton.tolerance={:g}", tolerance)}));
     if (Communicator(MPI_COMM_WORLD).is_root())
       std::printf("Newton to %.0e: histories differ by %.1e after a restart on other ranks, by %.1e without one\n",
                   tolerance, restarted, uninterrupted);
-    // Measured on 2 and 3 ranks: 2.2e-10 after a restart and up to 4.0e-10 without one at Newton's default tolerance,
-    // where the last digits are the linear solves'; 9e-14 and 2e-13 with the tighter one.
-    EXPECT_LE(restarted, tolerance > 1e-10 ? 2e-9 : 1e-10);
+    // Measured on 2 and 3 ranks: 2.2e-10 after a restart and up to 4.0e-10 without one to 1e-8, where the last digits
+    // are the linear solves'; 4.3e-12 and 7.5e-11 at Newton's default, 1e-9; 2e-12 with the tighter one.
+    EXPECT_LE(std::max(restarted, uninterrupted), tolerance > 5e-9 ? 2e-9 : 1e-10);
   }
 }
 
