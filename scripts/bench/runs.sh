@@ -26,6 +26,7 @@ boundary:
   - {set: foot, displacement: {x: 0, y: 0, z: 0}}
   - {set: head, displacement: {x: 0, y: 0, z: "$pull*$n*t"}}
 steps: {end: 1, count: $steps}
+solver: {newton: {tolerance: 1e-8}}
 output: {every: 1000000000, fields: [displacement]}
 history: [{name: pull, reaction: head, component: z}, {name: yielded, yielded: all}]
 $more
