@@ -16,7 +16,7 @@ if(PERINOX_SANITIZE)
   list(APPEND kernel_options -O0 -fno-sanitize=undefined)
   # Where the tests spend their time otherwise.
   set(looped_sources ${perinox_sources})
-  list(FILTER looped_sources INCLUDE REGEX "/src/(body|bonds|materials|mechanics)/[^/]*\\.cpp$|/src/solve/(bond_|broken_|coarse_|explicit_|two_level|stable_)")
+  list(FILTER looped_sources INCLUDE REGEX "/src/(body|bonds|materials|mechanics)/[^/]*\\.cpp$|/src/solve/(bond_|broken_|coarse_|direct_|explicit_|two_level|stable_)")
   set_source_files_properties(${looped_sources} PROPERTIES COMPILE_OPTIONS -O1)
 endif()
 set_source_files_properties("${kernels}/baseline.cpp" PROPERTIES COMPILE_OPTIONS "${baseline_options}")

@@ -13,7 +13,7 @@ if(PERINOX_SANITIZE)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     message(FATAL_ERROR "the sanitised build needs clang: cmake --preset sanitize (scripts/sanitize.sh)")
   endif()
-  # clang without optimisation compiles these in half the time of g++, or of its own -O1.
+  # clang without optimisation compiles these in half the time of g++, or of its own -O1; PerinoxKernels has the exceptions.
   target_compile_options(perinox_flags INTERFACE
     -O0 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all)
   target_link_options(perinox_flags INTERFACE -fsanitize=address,undefined -fuse-ld=lld)
