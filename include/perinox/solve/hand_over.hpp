@@ -32,9 +32,9 @@ class HandOver {
     MotionEnergies energies;  ///< at its end
   };
   /// Takes `state` over; the loads go to load parameter `t` over one passage of a wave and are then held, or go on at
-  /// hand_over.rate. patience: 1, or more after a rest where Newton found no equilibrium: beyond a limit point a body may
-  /// move so slowly at first that it seems to rest. It is watched so much longer, the kinetic energy asked for is so much
-  /// lower, and the damping too unless the deck gives it. Collective.
+  /// hand_over.rate. patience: 1, or more after a rest where Newton found no equilibrium: beyond a limit point a body
+  /// may move so slowly at first that it seems to rest. It is watched so much longer, the kinetic energy asked for is
+  /// so much lower, and the damping too unless the deck gives it. Collective.
   void begin(mechanics::Committed&& state, double t, double patience);
   double patience() const { return patience_; }
   /// Called every few time steps, on every rank, when all can be saved; what it throws ends the phase there.
