@@ -5,6 +5,7 @@
 #include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 
 #include "perinox/app/commands.hpp"
@@ -100,6 +101,8 @@ int main(int argc, char** argv) {
       return 1;
     }
   }
+  // Started without mpirun, Open MPI brings up a daemon of its own, for MPI_Comm_spawn alone: a third of the start.
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   // Kokkos takes --help and other options for its own: it is shown the program's name alone.
   int shown = 1;
   char* name_only[] = {argv[0], nullptr};
