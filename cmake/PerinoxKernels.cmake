@@ -12,7 +12,7 @@ if(PERINOX_SANITIZE)
   # as fast as with all checks. The set that all tests run is optimised; the wider ones compile the same source, are checked
   # for addresses only and run few tests.
   set(kernel_options -ffp-contract=fast -mllvm -asan-instrumentation-with-call-threshold=0)
-  set(baseline_options ${kernel_options} -O2 -fno-sanitize=null,alignment,vptr,pointer-overflow)
+  set(baseline_options ${kernel_options} -O2 -fno-sanitize=null,alignment,vptr,pointer-overflow -DPERINOX_CHECKED_ACCESS)
   list(APPEND kernel_options -O0 -fno-sanitize=undefined)
   # Where the tests spend their time otherwise.
   set(looped_sources ${perinox_sources})

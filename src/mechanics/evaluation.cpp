@@ -45,4 +45,32 @@ materials::FamilySums Evaluation::sums(const Scene& scene, const Committed& comm
                                     : family_sums(scene, committed, sums_, i, none, none, fit);
 }
 
+Evaluation::Law& Evaluation::answers(const Scene& scene, const Committed& committed, Trial& trial) {
+  const auto owned = static_cast<std::size_t>(scene.owned());
+  law_.radial.resize(owned);
+  law_.shear.resize(owned);
+  law_.yielded.resize(back_stress_ ? owned : 0);
+  law_.state.resize(scene.families().moments.size());
+  materials::StrainFit fit;
+  for (LocalIndex i = 0; i < scene.owned(); ++i) {
+    const materials::PointState point =
+        scene.material(i).state(sums(scene, committed, i, fit), committed.point_history(scene, i),
+                                trial.point_history.data() + scene.point_history()[i]);
+    const bonds::Moment* moment = scene.families().moment(i);
+    law_.radial[i] = moment ? 0 : point.radial;
+    law_.shear[i] = point.shear;
+    if (!law_.yielded.empty()) law_.yielded[i] = point.shear - point.back;
+    if (moment) law_.state[static_cast<std::size_t>(scene.families().fit[i])] = force_of_fit(*moment, fit, point);
+    trial.mean[i] = point.mean;
+    if (!trial.flow.empty()) trial.flow[i] = point.flow;
+    trial.dilatation[i] = point.response.dilatation;
+    trial.stored_energy[i] = point.response.stored_energy;
+    trial.stored += scene.body().volume[i] * point.response.stored_energy;
+    trial.unflowed += scene.body().volume[i] * point.response.unflowed_energy;
+    trial.dissipated += scene.body().volume[i] * point.response.dissipation;
+    trial.yielding += point.response.yielding ? 1 : 0;
+  }
+  return law_;
+}
+
 }  // namespace perinox::mechanics

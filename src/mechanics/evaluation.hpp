@@ -28,7 +28,9 @@ class Evaluation {
     std::vector<double> radial, shear, yielded;
     std::vector<bonds::Mandel> state;
   };
-  Law& law() { return law_; }
+  const Law& law() const { return law_; }
+  /// The materials' answers to the sums of the last at() or moved(): the law, and the trial, which has to be prepared.
+  Law& answers(const Scene& scene, const Committed& committed, Trial& trial);
 
   FamilyLoops& loops() { return *loops_; }
   /// Some material has kinematic hardening.

@@ -119,6 +119,12 @@ void FamilyLoops::forces(const double* radial, const double* shear, const double
   take_forces(0, local_, force);
 }
 
+double FamilyLoops::turning_work(const double* radial, const double* shear, const double* yielded,
+                                 const bonds::Mandel* state, const PlasticExtension& plastic, const double* step) {
+  begin_forces(radial, shear, yielded, state);
+  return sweep_turning(plastic, step);
+}
+
 void FamilyLoops::moving_sums(double* displacement, const double* shift, const PlasticExtension& plastic,
                               StrainSums& sums) {
   halo_.begin_update(displacement, d_);

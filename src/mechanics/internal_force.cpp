@@ -12,55 +12,13 @@ namespace perinox::mechanics {
 
 namespace {
 
-void prepare(const Scene& scene, const Committed& committed, Trial& trial) {
-  const auto owned = static_cast<std::size_t>(scene.owned());
-  trial.point_history.resize(committed.point_history().size());
-  trial.dilatation.resize(owned);
-  trial.mean.assign(owned, 0.0);
-  trial.stored_energy.resize(owned);
-  trial.flow.resize(scene.plastic() ? owned : 0);
-  trial.stored = trial.unflowed = trial.dissipated = 0;
-  trial.yielding = 0;
-}
-
-/// The materials' answers to the sums of the last evaluation: what the sweep of the forces needs, and the trial.
-Evaluation::Law& answers(const Scene& scene, const Committed& committed, Trial& trial) {
-  Evaluation& evaluation = scene.evaluation();
-  const auto owned = static_cast<std::size_t>(scene.owned());
-  Evaluation::Law& law = evaluation.law();
-  law.radial.resize(owned);
-  law.shear.resize(owned);
-  law.yielded.resize(evaluation.has_back_stress() ? owned : 0);
-  law.state.resize(scene.families().moments.size());
-  materials::StrainFit fit;
-  for (LocalIndex i = 0; i < scene.owned(); ++i) {
-    const materials::PointState point =
-        scene.material(i).state(evaluation.sums(scene, committed, i, fit), committed.point_history(scene, i),
-                                trial.point_history.data() + scene.point_history()[i]);
-    const bonds::Moment* moment = scene.families().moment(i);
-    law.radial[i] = moment ? 0 : point.radial;
-    law.shear[i] = point.shear;
-    if (!law.yielded.empty()) law.yielded[i] = point.shear - point.back;
-    if (moment) law.state[static_cast<std::size_t>(scene.families().fit[i])] = force_of_fit(*moment, fit, point);
-    trial.mean[i] = point.mean;
-    if (!trial.flow.empty()) trial.flow[i] = point.flow;
-    trial.dilatation[i] = point.response.dilatation;
-    trial.stored_energy[i] = point.response.stored_energy;
-    trial.stored += scene.body().volume[i] * point.response.stored_energy;
-    trial.unflowed += scene.body().volume[i] * point.response.unflowed_energy;
-    trial.dissipated += scene.body().volume[i] * point.response.dissipation;
-    trial.yielding += point.response.yielding ? 1 : 0;
-  }
-  return law;
-}
-
 /// By the sweeps: sums, the materials' answers to them, forces.
 void swept_force(const Scene& scene, const Committed& committed, const double* displacement, Trial& trial,
                  std::vector<double>& force) {
   Evaluation& evaluation = scene.evaluation();
   evaluation.at(scene, committed, displacement);
   trial.displacement = evaluation.displacement();
-  const Evaluation::Law& law = answers(scene, committed, trial);
+  const Evaluation::Law& law = evaluation.answers(scene, committed, trial);
   evaluation.loops().forces(law.radial.data(), law.shear.data(), law.yielded.empty() ? nullptr : law.yielded.data(),
                             law.state.data(), committed.plastic(), force.data());
 }
@@ -69,7 +27,7 @@ void swept_force(const Scene& scene, const Committed& committed, const double* d
 
 void internal_force(const Scene& scene, const Committed& committed, const double* displacement, Trial& trial,
                     double* force) {
-  prepare(scene, committed, trial);
+  trial.prepare(scene, committed);
   std::vector<double> all(scene.local_unknowns(), 0.0);
   if (scene.from_sums()) {
     swept_force(scene, committed, displacement, trial, all);
@@ -83,38 +41,12 @@ void internal_force(const Scene& scene, const Committed& committed, const double
   std::copy(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()), force);
 }
 
-double unflowed_energy(const Scene& scene, const Committed& committed, const double* displacement) {
-  Evaluation& evaluation = scene.evaluation();
-  evaluation.at(scene, committed, displacement);
-  double energy = 0;
-  std::vector<double> scratch;
-  materials::StrainFit fit;
-  for (LocalIndex i = 0; i < scene.owned(); ++i) {
-    scratch.resize(static_cast<std::size_t>(scene.point_history()[i + 1] - scene.point_history()[i]));
-    const materials::PointState point = scene.material(i).state(evaluation.sums(scene, committed, i, fit),
-                                                                committed.point_history(scene, i), scratch.data());
-    energy += scene.body().volume[i] * point.response.unflowed_energy;
-  }
-  return energy;
-}
-
 void force_states(const Scene& scene, const Committed& state, double* points) {
-  Evaluation& evaluation = scene.evaluation();
-  evaluation.at(scene, state, state.displacement().data());
-  const auto n = static_cast<std::size_t>(bonds::mandel_size(scene.dimension()));
-  std::vector<double> scratch;
-  materials::StrainFit fit;
-  for (LocalIndex i = 0; i < scene.owned(); ++i) {
-    scratch.resize(static_cast<std::size_t>(scene.point_history()[i + 1] - scene.point_history()[i]));
-    const materials::PointState point =
-        scene.material(i).state(evaluation.sums(scene, state, i, fit), state.point_history(scene, i), scratch.data());
-    const bonds::Moment* moment = scene.families().moment(i);
-    double* to = points + (2 + n) * static_cast<std::size_t>(i);
-    to[0] = moment ? 0 : point.radial;
-    to[1] = point.shear;
-    const bonds::Mandel along = moment ? force_of_fit(*moment, fit, point) : bonds::Mandel{};
-    std::copy_n(along.begin(), n, to + 2);
-  }
+  Trial trial;
+  trial.prepare(scene, state);
+  scene.evaluation().at(scene, state, state.displacement().data());
+  scene.evaluation().answers(scene, state, trial);
+  force_states_in_motion(scene, points);
 }
 
 void internal_force_in_motion(const Scene& scene, const Committed& committed, Trial& trial, double* force) {
@@ -125,10 +57,10 @@ void internal_force_in_motion(const Scene& scene, const Committed& committed, Tr
     internal_force(scene, committed, displacement.data(), trial, force);
     return;
   }
-  prepare(scene, committed, trial);
+  trial.prepare(scene, committed);
   Evaluation& evaluation = scene.evaluation();
   evaluation.moved(scene, committed, trial.displacement.data());
-  const Evaluation::Law& law = answers(scene, committed, trial);
+  const Evaluation::Law& law = evaluation.answers(scene, committed, trial);
   evaluation.loops().moving_forces(law.radial.data(), law.shear.data(),
                                    law.yielded.empty() ? nullptr : law.yielded.data(), law.state.data(),
                                    committed.plastic(), force);

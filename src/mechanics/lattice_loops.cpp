@@ -242,8 +242,8 @@ void LatticeLoops::begin_forces(const double* radial, const double* shear, const
   for (int c = 0; c < d_; ++c) out_.clear(c);
 }
 
-void LatticeLoops::sweep_forces(Bonds bonds, const PlasticExtension& plastic) {
-  kernels::LatticeView g = view(plastic.chunks(), range_of(bonds));
+kernels::LatticeView LatticeLoops::force_view(const PlasticExtension& plastic, Range range) const {
+  kernels::LatticeView g = view(plastic.chunks(), range);
   for (int c = 0; c < d_; ++c) {
     g.u[c] = u_[c];
     g.out[c] = out_[c];
@@ -251,7 +251,22 @@ void LatticeLoops::sweep_forces(Bonds bonds, const PlasticExtension& plastic) {
   g.law[kernels::radial] = law_[0];
   g.law[kernels::shear] = law_[1];
   g.law[kernels::along] = yielded_.empty() ? law_[1] : yielded_[0];
-  sweep(kernels::sweeps().lattice.forces, g);
+  return g;
+}
+
+void LatticeLoops::sweep_forces(Bonds bonds, const PlasticExtension& plastic) {
+  sweep(kernels::sweeps().lattice.forces, force_view(plastic, range_of(bonds)));
+}
+
+double LatticeLoops::sweep_turning(const PlasticExtension& plastic, const double* step) {
+  require(x_, d_, place::x);
+  put(step, d_, 0, local_, x_, 0);
+  kernels::LatticeView g = force_view(plastic, every);
+  for (int c = 0; c < d_; ++c) g.x[c] = x_[c];
+  sweep(kernels::sweeps().lattice.turning_work, g);
+  double work = 0;
+  for (const std::int64_t cell : families_.grid().cell) work += out_[0][cell];
+  return work;
 }
 
 void LatticeLoops::linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) {

@@ -24,6 +24,7 @@ class LatticeLoops : public FamilyLoops {
   void begin_forces(const double* radial, const double* shear, const double* yielded,
                     const bonds::Mandel* state) override;
   void sweep_forces(Bonds bonds, const PlasticExtension& plastic) override;
+  double sweep_turning(const PlasticExtension& plastic, const double* step) override;
   void put_direction(const double* x, LocalIndex first, LocalIndex last) override;
   void clear_sums() override;
   void product_sums(Bonds bonds) override;
@@ -35,6 +36,7 @@ class LatticeLoops : public FamilyLoops {
   enum Range { every, interior, boundary };
   kernels::LatticeView view(double* const* plastic, Range range) const;
   static Range range_of(Bonds bonds) { return bonds == Bonds::inner ? interior : boundary; }
+  kernels::LatticeView force_view(const PlasticExtension& plastic, Range range) const;
   kernels::LatticeView product_view(Bonds bonds) const;
   std::vector<char> flowing_blocks(const double* flow) const;
   void sweep(kernels::LatticeSweeps::Sweep sweep, kernels::LatticeView view) const;

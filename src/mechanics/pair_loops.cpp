@@ -186,13 +186,28 @@ void PairLoops::begin_forces(const double* radial, const double* shear, const do
   clear_results(d_);
 }
 
-void PairLoops::sweep_forces(Bonds bonds, const PlasticExtension& plastic) {
-  kernels::PairView g = view(slots_of(bonds), plastic.chunks());
+kernels::PairView PairLoops::force_view(const std::vector<std::int32_t>& slots, const PlasticExtension& plastic) {
+  kernels::PairView g = view(slots, plastic.chunks());
   g.place = reference_.data();
   g.u = u_.data();
   g.law = law_.data();
   set_results(g, out_);
-  sweep(kernels::sweeps().pairs.forces, g);
+  return g;
+}
+
+void PairLoops::sweep_forces(Bonds bonds, const PlasticExtension& plastic) {
+  sweep(kernels::sweeps().pairs.forces, force_view(slots_of(bonds), plastic));
+}
+
+double PairLoops::sweep_turning(const PlasticExtension& plastic, const double* step) {
+  require(x_);
+  put(step, d_, 0, local_, x_, 0);
+  kernels::PairView g = force_view(families_.interior(), plastic);
+  g.x = x_.data();
+  both(kernels::sweeps().pairs.turning_work, g);
+  double work = 0;
+  for (int i = 0; i < local_; ++i) work += out_[0][4 * static_cast<std::size_t>(slot_[i])];
+  return work;
 }
 
 void PairLoops::linearise(const double* displacement, const TangentLaw& law, const PlasticExtension& plastic) {

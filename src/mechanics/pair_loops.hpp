@@ -22,6 +22,7 @@ class PairLoops : public FamilyLoops {
   void begin_forces(const double* radial, const double* shear, const double* yielded,
                     const bonds::Mandel* state) override;
   void sweep_forces(Bonds bonds, const PlasticExtension& plastic) override;
+  double sweep_turning(const PlasticExtension& plastic, const double* step) override;
   void put_direction(const double* x, LocalIndex first, LocalIndex last) override;
   void clear_sums() override;
   void product_sums(Bonds bonds) override;
@@ -45,6 +46,7 @@ class PairLoops : public FamilyLoops {
   static void set_results(kernels::PairView& view, std::array<Values, 8>& results);
   void take(const Values& from, int component, int components, int first, int last, double* values) const;
   const std::vector<std::int32_t>& slots_of(Bonds bonds) const;
+  kernels::PairView force_view(const std::vector<std::int32_t>& slots, const PlasticExtension& plastic);
   kernels::PairView product_view(Bonds bonds);
   std::vector<char> flowing_slots(const Values& values, int component) const;
   void require(Values& values) const;

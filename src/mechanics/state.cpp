@@ -13,6 +13,17 @@ std::uint64_t Committed::new_version() {
   return ++last;
 }
 
+void Trial::prepare(const Scene& scene, const Committed& committed) {
+  const auto owned = static_cast<std::size_t>(scene.owned());
+  point_history.resize(committed.point_history().size());
+  dilatation.resize(owned);
+  mean.assign(owned, 0.0);
+  stored_energy.resize(owned);
+  flow.resize(scene.plastic() ? owned : 0);
+  stored = unflowed = dissipated = 0;
+  yielding = 0;
+}
+
 Committed::Committed(const Scene& scene)
     : displacement_(scene.local_unknowns(), 0.0),
       point_history_(static_cast<std::size_t>(scene.point_history().back()), 0.0),

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "perinox/body/extent.hpp"
 #include "perinox/core/error.hpp"
+#include "perinox/mechanics/path_work.hpp"
 #include "perinox/solve/arc_length.hpp"
 #include "perinox/solve/loose_pieces.hpp"
 
@@ -180,16 +182,8 @@ void LoadStepper::stop(Observer& observer, double t, const NewtonResult& result)
 
 void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force, bool followed) {
   const Communicator& ranks = scene_.body().communicator;
-  // The chord's work misses the bend at the yield point: by the plastic work less the mean force state of the step's
-  // two ends over its flow, which is (W(u0, p0) - W(u0, p1) + W(u1, p0) - W(u1, p1))/2 for a quadratic W(u, p).
-  const bool bends = followed && scene_.from_sums() && ranks.any(trial.yielding > 0);
-  std::vector<double> start;
-  double bend = 0;
-  if (bends) {
-    start = committed_.displacement();
-    bend = trial.dissipated -
-           0.5 * (mechanics::unflowed_energy(scene_, committed_, start.data()) + trial.unflowed - trial.stored);
-  }
+  std::optional<mechanics::PathWork> path;
+  if (followed) path.emplace(scene_, committed_, trial);
   std::vector<double> external(scene_.owned_unknowns());
   boundary_.external_force(trial.t, external.data());
   // Outside forces on the body: the given ones, and on prescribed unknowns whatever balances the internal force.
@@ -209,8 +203,7 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force, 
   dilatation_ = std::move(trial.dilatation);
   stored_energy_ = std::move(trial.stored_energy);
   committed_.advance(scene_, std::move(trial));
-  if (bends)
-    energies_.external_work += ranks.sum(bend + 0.5 * mechanics::unflowed_energy(scene_, committed_, start.data()));
+  if (path) energies_.external_work += ranks.sum(path->beyond_chord(scene_, committed_));
   force_ = std::move(force);
   external_ = std::move(external);
 }

@@ -34,7 +34,7 @@ const Expected cases[] = {
     {"collapse_load", Outcome::converged, "", 0.01, 1.5},       // 2.8e-03
     {"collapse_load_small", Outcome::stopped, "the body moves by more than half its size", 1, 1.5},
     {"compress_half", Outcome::converged, "", 0.01, 2},    // 2.3e-03, of which two jumps
-    {"contrast_1e6", Outcome::converged, "", 0.004},       // 1.2e-03
+    {"contrast_1e6", Outcome::converged, "", 0.003},       // 1.2e-03
     {"graded_cloud", Outcome::converged, "", 0.0003},      // 9.7e-05
     {"hanging_fragment", Outcome::converged, "", 0.0003},  // 4.5e-05
     {"held_by_nothing", Outcome::refused, "nothing holds the body", 0},
@@ -42,9 +42,9 @@ const Expected cases[] = {
     {"horizon_2_015", Outcome::converged, "", 0.0003},        // 1.1e-04
     {"horizon_6_015", Outcome::converged, "", 0.0003},        // 9.1e-05
     {"huge_step", Outcome::converged, "", 0.01},              // 9.4e-03: how the bonds turn in a single step
-    {"incompressible_049", Outcome::converged, "", 0.004},    // 1.2e-03
-    {"incompressible_0499", Outcome::converged, "", 0.004},   // 1.3e-03
-    {"incompressible_04999", Outcome::converged, "", 0.004},  // 1.4e-03
+    {"incompressible_049", Outcome::converged, "", 0.003},    // 1.2e-03
+    {"incompressible_0499", Outcome::converged, "", 0.003},   // 1.3e-03
+    {"incompressible_04999", Outcome::converged, "", 0.003},  // 1.4e-03
     {"infinite_force", Outcome::stopped, "check the formula 1/(0.5-t)", 1, 1.5},
     {"jittered_cloud", Outcome::converged, "", 0.0004},    // 1.4e-04
     {"nearly_separated", Outcome::converged, "", 0.0005},  // 1.8e-04

@@ -68,6 +68,12 @@ class FamilyLoops {
   void forces(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
               const PlasticExtension& plastic, double* force);
 
+  /// What the work of a step along its chord leaves out because bonds turn, if every bond keeps the force that it has
+  /// at the displacement of the last strain_sums: sum t (de - M . dU), over this rank's families. step: [local *
+  /// dimension], ghosts up to date; the law as in forces(). Zero with small strains.
+  double turning_work(const double* radial, const double* shear, const double* yielded, const bonds::Mandel* state,
+                      const PlasticExtension& plastic, const double* step);
+
   /// strain_sums and forces for time steps: the halo's messages travel while bonds without ghosts are worked on.
   /// displacement: [local * dimension], ghosts are filled here; force: [owned * dimension], complete. Collective.
   void moving_sums(double* displacement, const double* shift, const PlasticExtension& plastic, StrainSums& sums);
@@ -115,6 +121,8 @@ class FamilyLoops {
   virtual void begin_forces(const double* radial, const double* shear, const double* yielded,
                             const bonds::Mandel* state) = 0;
   virtual void sweep_forces(Bonds bonds, const PlasticExtension& plastic) = 0;
+  /// The step of turning_work after begin_forces. step: [local * dimension].
+  virtual double sweep_turning(const PlasticExtension& plastic, const double* step) = 0;
   /// The steps of a product, in this order; those with a range once for either.
   virtual void put_direction(const double* x, LocalIndex first, LocalIndex last) = 0;  ///< of particles first to last
   virtual void clear_sums() = 0;

@@ -6,10 +6,6 @@
 
 namespace perinox::mechanics {
 
-/// Recoverable energy that this rank's particles would hold at displacement [owned * dimension] if nothing flowed from
-/// the committed state on. Only of scenes from_sums(). Collective.
-double unflowed_energy(const Scene& scene, const Committed& committed, const double* displacement);
-
 /// Force states t = omega (radial xi + shear e + xi N . H) of a committed state of a scene without plastic flow:
 /// radial, shear, H. [owned * (2 + mandel_size)]. Collective.
 void force_states(const Scene& scene, const Committed& state, double* points);

@@ -9,6 +9,8 @@
 
 namespace perinox::mechanics {
 
+class Committed;
+
 /// A state under trial: what one evaluation of the internal force leaves behind. Worthless until committed.
 struct Trial {
   double t = 0;
@@ -23,6 +25,9 @@ struct Trial {
   double unflowed = 0;                ///< energy of this rank's particles, had nothing flowed in the step
   double dissipated = 0;              ///< energy this rank's particles dissipate in the step
   long long yielding = 0;             ///< this rank's particles that flow in the step
+
+  /// Sizes the arrays but those of displacement and bonds, and sets the sums to zero.
+  void prepare(const Scene& scene, const Committed& committed);
 };
 
 /// The state after the last converged step. Evaluations read it and cannot write it; only the load stepper moves it on,

@@ -126,19 +126,20 @@ struct StrainSums {
   }
 };
 
+/// Force states of a near end and of the far ends.
 template <int d, bool small, bool plastic, bool fitted>
-struct Forces {
-  Vector u[d], radial, shear, yielded, state[8], force[d] = {};
+struct BondForce {
+  Vector u[d], radial, shear, yielded, state[8];
 
   template <class Own>
-  PERINOX_INLINE explicit Forces(const Own& own)
+  PERINOX_INLINE explicit BondForce(const Own& own)
       : radial(own.law(Law::radial)), shear(own.law(Law::shear)), yielded(plastic ? own.law(Law::along) : Vector{}) {
     if (fitted) own.template state<d>(state);
     for (int c = 0; c < d; ++c) u[c] = own.u(c);
   }
+  /// Sum of both ends' t/omega.
   template <class Access>
-  PERINOX_INLINE void visit(const Access& far) {
-    const Pair<d> p = pair_of<d, small>(far, u);
+  PERINOX_INLINE Vector both_ends(const Pair<d>& p, const Access& far) const {
     const Vector far_shear = far.law(Law::shear);
     Vector t = (radial + far.law(Law::radial)) * far.length() + (shear + far_shear) * extension<d, small>(p, far);
     if (plastic) t -= yielded * load(far.plastic_near()) + far.law(Law::along) * load(far.plastic_far());
@@ -149,7 +150,21 @@ struct Forces {
       for (int k = 0; k < components<d>; ++k) both[k] += state[k];
       t += contract<d>(both, xi_n);
     }
-    t *= far.pair() * p.inverse;
+    return t;
+  }
+};
+
+template <int d, bool small, bool plastic, bool fitted>
+struct Forces {
+  const BondForce<d, small, plastic, fitted> bond_force;
+  Vector force[d] = {};
+
+  template <class Own>
+  PERINOX_INLINE explicit Forces(const Own& own) : bond_force(own) {}
+  template <class Access>
+  PERINOX_INLINE void visit(const Access& far) {
+    const Pair<d> p = pair_of<d, small>(far, bond_force.u);
+    const Vector t = bond_force.both_ends(p, far) * (far.pair() * p.inverse);
     Vector to_far[d];
     for (int c = 0; c < d; ++c) {
       const Vector pull = t * p.bond[c];
@@ -161,6 +176,38 @@ struct Forces {
   template <class Own>
   PERINOX_INLINE void finish(const Own& own) const {
     own.template add<d>(force);
+  }
+};
+
+/// t (de - M . dU) for the change x of the displacement, de the change of length that it makes. With
+/// de = (2 Y + dU) . dU/(|Y| + |Y + dU|) this is t (dU . dU - (M . dU) de)/(|Y| + |Y + dU|): nothing cancels.
+template <int d, bool small, bool plastic, bool fitted>
+struct TurningWork {
+  const BondForce<d, small, plastic, fitted> bond_force;
+  Vector x[d], work[1] = {};
+
+  template <class Own>
+  PERINOX_INLINE explicit TurningWork(const Own& own) : bond_force(own) {
+    for (int c = 0; c < d; ++c) x[c] = own.x(c);
+  }
+  template <class Access>
+  PERINOX_INLINE void visit(const Access& far) {
+    const Pair<d> p = pair_of<d, small>(far, bond_force.u);
+    Vector along = {}, square = {}, after = {};
+    for (int c = 0; c < d; ++c) {
+      const Vector step = far.x(c) - x[c], bond = p.bond[c] + step;
+      along += p.bond[c] * step;
+      square += step * step;
+      after += bond * bond;
+    }
+    const Vector lengths = p.length + after * far.inverse_root_of(after);
+    const Vector change = (2 * along + square) / lengths;
+    const Vector t = bond_force.both_ends(p, far) * far.pair();
+    work[0] += far.present(t * (square - along * p.inverse * change) / lengths);
+  }
+  template <class Own>
+  PERINOX_INLINE void finish(const Own& own) const {
+    own.template add<1>(work);
   }
 };
 
@@ -405,9 +452,16 @@ void choose(const View& g, int dimension, bool small) {
     small ? run_with<Sweep, 2, true>(g) : run_with<Sweep, 2, false>(g);
 }
 
+/// With small strains no bond turns.
+template <class View>
+void turning_work(const View& g, int dimension, bool small) {
+  if (small) return;
+  dimension == 3 ? run_with<TurningWork, 3, false>(g) : run_with<TurningWork, 2, false>(g);
+}
+
 template <class View>
 Sweeps<View> all_sweeps() {
-  return {choose<StrainSums, View>,    choose<Forces, View>,         choose<ProductSums, View>,
+  return {choose<StrainSums, View>,    choose<Forces, View>,         turning_work<View>,   choose<ProductSums, View>,
           choose<ProductForces, View>, choose<DiagonalBlocks, View>, choose<Advance, View>};
 }
 

@@ -21,15 +21,35 @@ constexpr int width = 4;
 typedef double Vector __attribute__((vector_size(width * 8)));
 typedef std::int64_t Lanes __attribute__((vector_size(width * 8)));
 typedef double Unaligned __attribute__((vector_size(width * 8), aligned(8), may_alias));
+typedef double Row __attribute__((vector_size(32)));
+typedef double LooseRow __attribute__((vector_size(32), aligned(8), may_alias));
 
 PERINOX_INLINE Vector all(double value) { return value - Vector{}; }
+#if defined(PERINOX_CHECKED_ACCESS)
+static_assert(width == 4);
+/// In halves: the address sanitiser has a quick check for sixteen bytes and a slow one for more.
+typedef double Half __attribute__((vector_size(16), aligned(8), may_alias));
+PERINOX_INLINE Row row(const double* from) {
+  const Half low = *reinterpret_cast<const Half*>(from), high = *reinterpret_cast<const Half*>(from + 2);
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+}
+PERINOX_INLINE void put_row(double* to, Row value) {
+  *reinterpret_cast<Half*>(to) = __builtin_shufflevector(value, value, 0, 1);
+  *reinterpret_cast<Half*>(to + 2) = __builtin_shufflevector(value, value, 2, 3);
+}
+PERINOX_INLINE Vector load(const double* from) { return row(from); }
+PERINOX_INLINE void store(double* to, Vector value) { put_row(to, value); }
+#else
+PERINOX_INLINE Row row(const double* from) { return *reinterpret_cast<const LooseRow*>(from); }
+PERINOX_INLINE void put_row(double* to, Row value) { *reinterpret_cast<LooseRow*>(to) = value; }
 PERINOX_INLINE Vector load(const double* from) { return *reinterpret_cast<const Unaligned*>(from); }
+PERINOX_INLINE void store(double* to, Vector value) { *reinterpret_cast<Unaligned*>(to) = value; }
+#endif
 PERINOX_INLINE double total(Vector value) {
   double sum = value[0];
   for (int lane = 1; lane < width; ++lane) sum += value[lane];
   return sum;
 }
-PERINOX_INLINE void store(double* to, Vector value) { *reinterpret_cast<Unaligned*>(to) = value; }
 
 /// The lanes whose bit is set; 0 elsewhere, also where the value is not a number.
 PERINOX_INLINE Vector chosen(unsigned mask, Vector value) {
@@ -65,10 +85,6 @@ PERINOX_INLINE Vector inverse_root(Vector s, Scale scale, Scale root_scale) {
   const Vector series = ((35.0 / 128 * h + 5.0 / 16) * h + 3.0 / 8) * h + 0.5;
   return r + r * h * series;
 }
-
-typedef double Row __attribute__((vector_size(32)));
-typedef double LooseRow __attribute__((vector_size(32), aligned(8), may_alias));
-PERINOX_INLINE Row row(const double* from) { return *reinterpret_cast<const LooseRow*>(from); }
 
 /// The four doubles of each of the slots, one vector a component.
 PERINOX_INLINE void gather(const double* from, const std::int32_t* slot, Vector* to) {
@@ -121,7 +137,7 @@ PERINOX_INLINE void scatter(double* to, const std::int32_t* slot, const Vector* 
 #endif
   for (int lane = 0; lane < width; ++lane) {
     double* at = to + 4 * slot[lane];
-    *reinterpret_cast<LooseRow*>(at) = row(at) + rows[lane];
+    put_row(at, row(at) + rows[lane]);
   }
 }
 

@@ -101,6 +101,9 @@ struct Sweeps {
   Sweep strain_sums = nullptr;
   /// out: internal force.
   Sweep forces = nullptr;
+  /// x: a step. out: at the near end, its bonds' work along their change of length less that along the step's chord,
+  /// t (de - M . dU). Nothing with small strain.
+  Sweep turning_work = nullptr;
   /// out: (omega xi) . de; (omega (e - e_p)) . de; around fitted ends sum omega xi N de weight.
   Sweep product_sums = nullptr;
   /// out: K x.
