@@ -21,9 +21,32 @@ namespace perinox::app {
 
 namespace {
 
-/// Share of the work that may be missing without a word.
-constexpr double worth_a_warning = 0.05;
+/// Share of the work that may be missing without a word: where it is known along the path of a step, along its chord,
+/// and where part of the way went in time.
+constexpr double worth_a_warning = 1e-4;
+constexpr double worth_a_warning_of_chords = 0.05;
 constexpr double worth_a_warning_in_time = 0.01;
+
+/// What to say of a share that is missing; nothing if it is small.
+std::string remark_on(double gap, const mechanics::Scene& scene, const solve::Energies& e) {
+  const std::string what = fmt::format("the external work is {:.2g} % {} than what is stored and dissipated",
+                                       100 * std::abs(gap), gap > 0 ? "more" : "less");
+  gap = std::abs(gap);
+  if (e.damped != 0)
+    return gap > worth_a_warning_in_time
+               ? what +
+                     "; the time steps of the phases in time are too long for what happens in them: take a smaller "
+                     "explicit.safety"
+               : "";
+  if (!scene.from_sums())
+    return gap > worth_a_warning_of_chords ? what +
+                                                 "; it is taken along the chord of each step, and the steps are too "
+                                                 "long for that: take more of them"
+                                           : "";
+  return gap > worth_a_warning
+             ? what + "; the steps are solved too loosely for these to agree: take a smaller solver.newton.tolerance"
+             : "";
+}
 
 /// What of the external work is neither stored nor dissipated, over the largest of the three.
 double unaccounted(const solve::Energies& e) {
@@ -133,11 +156,8 @@ int run(const Options& options, const Communicator& communicator) {
         "done: stored {:.6g}, dissipated {:.6g}, external work {:.6g} ({:+.1e} of it not accounted for); results in "
         "{}\n",
         e.stored, e.dissipated, e.external_work, gap, directory_of(options, from));
-  if (communicator.is_root() && std::abs(gap) > worth_a_warning)
-    fmt::print(stderr,
-               "warning: the external work is {:.1f} % {} than what is stored and dissipated; it is taken along "
-               "the chord of each step, and the steps are too long for that: take more of them\n",
-               100 * std::abs(gap), gap > 0 ? "more" : "less");
+  const std::string remark = remark_on(gap, problem.scene, e);
+  if (communicator.is_root() && !remark.empty()) fmt::print(stderr, "warning: {}\n", remark);
   return 0;
 }
 

@@ -108,8 +108,8 @@ where an attempt has failed, a direct solver for slender bodies, and, where stab
 going down in energy to the next stable equilibrium ([theory.md](theory.md)). Answers are tested too: three systems of
 units agree to 1e-10, the energy of a turned block does not change, the slender bar bends as the elastica.
 
-"Energy" is the share of the external work that is not accounted for, at most 1 %. With small strains it is Newton's
-tolerance; else it is what the chord of a load step leaves out of how the bonds turn ([theory.md](theory.md#4-energy-and-dissipation)).
+"Energy" is the share of the external work that is neither stored nor dissipated: what Newton's tolerance, 1e-9, leaves
+([theory.md](theory.md#4-energy-and-dissipation)).
 
 | deck | what is hard | ends | steps | rejected | Newton | linear | energy |
 |---|---|---|---|---|---|---|---|

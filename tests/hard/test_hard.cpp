@@ -29,44 +29,44 @@ struct Expected {
 };
 const Expected cases[] = {
     {"balanced_forces", Outcome::refused, "nothing holds the body", 0},
-    {"broken_at_support", Outcome::converged, "", 0.002},       // 5.7e-04
-    {"collapse_displacement", Outcome::converged, "", 0.0006},  // 1.9e-04
-    {"collapse_load", Outcome::converged, "", 0.01, 1.5},       // 2.8e-03
+    {"broken_at_support", Outcome::converged, "", 1e-9},      // 4.6e-12
+    {"collapse_displacement", Outcome::converged, "", 1e-9},  // 1.7e-11
+    {"collapse_load", Outcome::converged, "", 1e-9, 1.5},     // 5.7e-12
     {"collapse_load_small", Outcome::stopped, "the body moves by more than half its size", 1, 1.5},
-    {"compress_half", Outcome::converged, "", 0.01, 2},    // 2.3e-03, of which two jumps
-    {"contrast_1e6", Outcome::converged, "", 0.003},       // 1.2e-03
-    {"graded_cloud", Outcome::converged, "", 0.0003},      // 9.7e-05
-    {"hanging_fragment", Outcome::converged, "", 0.0003},  // 4.5e-05
+    {"compress_half", Outcome::converged, "", 1e-9, 2},  // 1.4e-12
+    {"contrast_1e6", Outcome::converged, "", 2e-8},      // 7.1e-09
+    {"graded_cloud", Outcome::converged, "", 1e-9},      // 1.9e-11
+    {"hanging_fragment", Outcome::converged, "", 1e-9},  // 4.5e-11
     {"held_by_nothing", Outcome::refused, "nothing holds the body", 0},
-    {"horizon_1_5", Outcome::converged, "", 0.0004},          // 1.4e-04
-    {"horizon_2_015", Outcome::converged, "", 0.0003},        // 1.1e-04
-    {"horizon_6_015", Outcome::converged, "", 0.0003},        // 9.1e-05
-    {"huge_step", Outcome::converged, "", 0.01},              // 9.4e-03: how the bonds turn in a single step
-    {"incompressible_049", Outcome::converged, "", 0.003},    // 1.2e-03
-    {"incompressible_0499", Outcome::converged, "", 0.003},   // 1.3e-03
-    {"incompressible_04999", Outcome::converged, "", 0.003},  // 1.4e-03
+    {"horizon_1_5", Outcome::converged, "", 1e-9},           // 1.2e-11
+    {"horizon_2_015", Outcome::converged, "", 1e-9},         // 1.1e-11
+    {"horizon_6_015", Outcome::converged, "", 1e-9},         // 3.5e-11
+    {"huge_step", Outcome::converged, "", 1e-9},             // 1.8e-10
+    {"incompressible_049", Outcome::converged, "", 1e-9},    // 2.2e-11
+    {"incompressible_0499", Outcome::converged, "", 1e-9},   // 7.7e-12
+    {"incompressible_04999", Outcome::converged, "", 1e-9},  // 1.7e-11
     {"infinite_force", Outcome::stopped, "check the formula 1/(0.5-t)", 1, 1.5},
-    {"jittered_cloud", Outcome::converged, "", 0.0004},    // 1.4e-04
-    {"nearly_separated", Outcome::converged, "", 0.0005},  // 1.8e-04
+    {"jittered_cloud", Outcome::converged, "", 1e-9},    // 1.8e-11
+    {"nearly_separated", Outcome::converged, "", 1e-9},  // 4.4e-11
     {"no_load", Outcome::converged, "", 0},
     {"no_steps", Outcome::refused, "count is 0 but must be at least 1", 0},
     {"not_a_number", Outcome::refused, "check the formula 0.1*sqrt(0.6-t)", 0},
     {"one_free_particle", Outcome::refused, "is the only one, so there is no bond", 0},
     {"one_particle", Outcome::refused, "is the only one, so there is no bond", 0},
-    {"post_buckling", Outcome::converged, "", 0.0001, 2},  // 4.8e-07
+    {"post_buckling", Outcome::converged, "", 1e-9, 2},  // 3.8e-11
     {"pushed_through", Outcome::stopped, "its bond to particle 1 has collapsed to length zero", 1, 1.5},
-    {"reversal", Outcome::converged, "", 0.0003},            // 9.5e-05
-    {"rotation_180", Outcome::converged, "", 0.01},          // 9.1e-03, steps of 1.25 degrees
-    {"rotation_30", Outcome::converged, "", 0.01},           // 9.1e-03, steps of 1.25 degrees
-    {"rotation_90", Outcome::converged, "", 0.01},           // 9.1e-03, steps of 1.25 degrees
-    {"slender_bending", Outcome::converged, "", 0.01, 1.5},  // 5.2e-03
-    {"stretch_2", Outcome::converged, "", 0.003},            // 9.0e-04
-    {"thin_plate", Outcome::converged, "", 0.0003},          // 4.0e-05
-    {"three_points", Outcome::converged, "", 0.01},          // 9.7e-03
-    {"two_bodies", Outcome::converged, "", 0.0003},          // 9.2e-05
-    {"units_kilometres", Outcome::converged, "", 0.0003},    // 6.5e-05
-    {"units_micrometres", Outcome::converged, "", 0.0003},   // 6.5e-05
-    {"units_millimetres", Outcome::converged, "", 0.0003},   // 6.5e-05
+    {"reversal", Outcome::converged, "", 1e-9},              // 9.3e-12
+    {"rotation_180", Outcome::converged, "", 2e-8},          // 3.0e-09
+    {"rotation_30", Outcome::converged, "", 5e-9},           // 5.7e-10
+    {"rotation_90", Outcome::converged, "", 2e-8},           // 2.0e-09
+    {"slender_bending", Outcome::converged, "", 1e-7, 1.5},  // 1.8e-08
+    {"stretch_2", Outcome::converged, "", 1e-9},             // 2.1e-11
+    {"thin_plate", Outcome::converged, "", 1e-9},            // 2.8e-11
+    {"three_points", Outcome::converged, "", 1e-9},          // 6.2e-11
+    {"two_bodies", Outcome::converged, "", 1e-9},            // 1.7e-13
+    {"units_kilometres", Outcome::converged, "", 1e-9},      // 2.5e-11
+    {"units_micrometres", Outcome::converged, "", 1e-9},     // 2.5e-11
+    {"units_millimetres", Outcome::converged, "", 1e-9},     // 2.5e-11
 };
 
 std::vector<CaseResult> results;  ///< of this program, in the order run
