@@ -1,4 +1,4 @@
-/// 2, 3 and 4 ranks give what one rank gives: displacements, iteration counts.
+/// 2, 3 and 4 ranks give what one rank gives: displacements, iteration counts; and their energies close.
 #include <gtest/gtest.h>
 
 #include "support/runs.hpp"
@@ -42,13 +42,18 @@ void compare(const deck::Deck& deck, const char* name, int linear_apart = 1, dou
     EXPECT_NEAR(one.stored_energy, many.stored_energy, energy_apart * one.stored_energy);
     EXPECT_NEAR(one.t, many.t, t_apart * deck.steps.end);
   }
+  const solve::Energies& e = together.energies;
+  const double gap = std::abs(e.external_work - e.stored - e.dissipated) / e.external_work;
   if (world.is_root())
-    std::printf("%s on %d ranks: displacement %.1e, force %.1e, iterations differ by at most %d Newton, %d linear\n",
-                name, world.size(), difference, force, newton, linear);
+    std::printf(
+        "%s on %d ranks: displacement %.1e, force %.1e, iterations differ by at most %d Newton, %d linear; energy "
+        "not accounted for %.1e\n",
+        name, world.size(), difference, force, newton, linear, gap);
   // Measured on 2, 3, 4 ranks: printed by the line above.
   EXPECT_LE(difference, 1e-10);
   EXPECT_LE(newton, 1);
   EXPECT_LE(linear, linear_apart);
+  EXPECT_LE(gap, 1e-9);  // 1.4e-10
 }
 
 TEST(Ranks, PlasticCubeMatrixFree) { compare(deck_of(pulled_cube(8, 0.08, 5)), "plastic cube, matrix-free"); }
