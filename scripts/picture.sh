@@ -2,9 +2,10 @@
 # A picture of a run: the curve of history.csv and the plastic zone in the deformed body at the last step written.
 #   scripts/picture.sh RESULTS_DIR [OUT]        OUT ends in .png (default RESULTS_DIR/picture.png) or .svg; an .svg of a large
 #                                               body is large too: 4 kB a particle
-# The curve: the first history column across and the second one up (t across if there is one only). The body: coloured by
-# equivalent_plastic_strain, else plastic_multiplier, else the length of the displacement; 3-D seen obliquely from above,
-# 2-D as a map; displacements are enlarged so that the largest is 4 % of the body.
+# The curve: the first history entry across and the second one up; t across if there is one only, and the energy released by
+# broken bonds (or the stored energy) up if there is none. The body: coloured by damage, else equivalent_plastic_strain, else
+# plastic_multiplier, else the length of the displacement; 3-D seen obliquely from above, 2-D as a map; displacements are
+# enlarged so that the largest is 4 % of the body.
 set -euo pipefail
 
 stop() {
@@ -32,7 +33,9 @@ step=$(h5ls "$h5/steps" | awk '{print $1}' | sort -n | tail -1)
 [ -n "$step" ] || stop "$h5 holds no step yet"
 has() { h5ls "$h5/steps/$step" | grep -q "^$1 "; }
 t=$(h5dump -a "/steps/$step/t" "$h5" | awk '/\(0\):/ {print $2}')
-if has equivalent_plastic_strain; then
+if has damage; then
+  field=damage label="damage"
+elif has equivalent_plastic_strain; then
   field=equivalent_plastic_strain label="equivalent plastic strain"
 elif has plastic_multiplier; then
   field=plastic_multiplier label="plastic multiplier"
@@ -82,14 +85,13 @@ paste -d' ' "$work/reference" "$work/displacement" "$work/volume" "$work/field" 
   }' | sort -g -k1,1 | cut -d' ' -f2- >"$work/body"
 read -r flat scale count top range_across range_up <"$work/facts"
 
-# The curve: names from the CSV's header; column 3 is the first history entry if the next to last six are not reached.
+# The curve: names from the CSV's header; history entries stand between t and stored_energy.
 IFS=, read -ra header <"$results/history.csv"
-entries=$((${#header[@]} - 8))
-case $entries in
-  0) across=2 up=3 ;;
-  1) across=2 up=3 ;;
-  *) across=3 up=4 ;;
-esac
+column() { printf '%s\n' "${header[@]}" | awk -v name="$1" '$1 == name {print NR}'; }
+entries=$(($(column stored_energy) - 3))
+across=2 up=3
+[ "$entries" -lt 2 ] || across=3 up=4
+[ "$entries" -gt 0 ] || [ -z "$(column released_energy)" ] || up=$(column released_energy)
 across_name=${header[across - 1]//_/ } up_name=${header[up - 1]//_/ }
 { # the curve starts at rest
   echo "0 0"
@@ -119,7 +121,8 @@ set grid lc rgb "#e0e0e0" lt 1
 set xlabel "$across_name" noenhanced
 set ylabel "$up_name" noenhanced
 set format "%g"
-set xtics autofreq
+set xtics autofreq $(awk -F, -v a=$across 'NR > 1 && ($a < 0 ? -$a : $a) > most {most = $a < 0 ? -$a : $a}
+  END {print (most > 0 && (most < 1e-3 || most >= 1e6) ? "rotate by -35" : "norotate")}' "$results/history.csv")
 plot "$work/curve" using 1:2 with linespoints lw 2.5 pt 7 ps 0.75 lc rgb "#1f4e79" notitle
 
 # right: the body
@@ -133,12 +136,13 @@ set bmargin at screen 0.08
 set tmargin at screen 0.83
 set size ratio -1
 if ($flat) { set border 3; set format "%g"; set tics; set xlabel "x"; set ylabel "y"; set bmargin at screen 0.14 } else { unset border; unset xtics; unset ytics }
+if ($flat) { set xtics norotate }
 set label 2 "$label at t = $t_short$enlarged" at screen 0.67, 0.87 center noenhanced
 set palette defined (0 "#e9edf0", 0.12 "#fee8b8", 0.35 "#fdb863", 0.6 "#e8743b", 0.8 "#b8262c", 1 "#5c0a2e")
 set cbrange [0:$top]
 set cbtics font ",11" scale 0.4
 set colorbox user origin screen 0.915, screen 0.2 size screen 0.014, screen 0.5
-set style fill solid 1.0 border lc rgb "#8a9096"
+set style fill solid 1.0 $([ "$count" -gt 10000 ] && echo noborder || echo 'border lc rgb "#8a9096"')
 set xrange [$range_across]
 set yrange [$range_up]
 # A darker rim sets each particle off from those behind it.

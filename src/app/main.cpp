@@ -85,6 +85,19 @@ int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool
   return app::help(key, page, json_schema, *ranks);
 }
 
+/// A process started without mpirun talks to itself only. Two thirds of its start is what Open MPI brings up for
+/// others: networks, and a daemon for MPI_Comm_spawn. Without the daemon all such runs of a user would share a folder
+/// in /tmp, which the first to end takes away from the rest; it is for shared file pointers, which nothing here uses.
+void start_alone() {
+  for (const char* launched : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+    if (std::getenv(launched) != nullptr) return;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+  setenv("OMPI_MCA_sharedfp", "individual", 0);
+  setenv("OMPI_MCA_pml", "ob1", 0);
+  setenv("OMPI_MCA_btl", "self", 0);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -101,8 +114,7 @@ int main(int argc, char** argv) {
       return 1;
     }
   }
-  // Started without mpirun, Open MPI brings up a daemon of its own, for MPI_Comm_spawn alone: a third of the start.
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  start_alone();
   // Kokkos takes --help and other options for its own: it is shown the program's name alone.
   int shown = 1;
   char* name_only[] = {argv[0], nullptr};

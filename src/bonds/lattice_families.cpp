@@ -111,13 +111,6 @@ void LatticeFamilies::complete() {
   numbers_ = {};
 }
 
-bool LatticeFamilies::bond(std::int64_t cell, int offset) const {
-  const int b = block_of_[cell / lanes];
-  if (b < 0) return false;
-  const Block& block = blocks_[b];
-  return block.mask < 0 || (masks_[block.mask + offset] >> (cell % lanes) & 1) != 0;
-}
-
 LatticeFamilies::Place LatticeFamilies::find(LocalIndex i, LocalIndex j) const {
   const auto from = grid_.position(grid_.cell[i]), to = grid_.position(grid_.cell[j]);
   std::array<int, 3> step{};
@@ -146,22 +139,10 @@ const StencilOffset* LatticeFamilies::remove(LocalIndex i, LocalIndex j) {
 }
 
 void LatticeFamilies::places(LocalIndex i, std::vector<Place>& places) const {
+  std::vector<int> ends(2 * offsets_.size());
+  std::iota(ends.begin(), ends.end(), 0);
   places.clear();
-  const std::int64_t own = grid_.cell[i];
-  const auto at = grid_.position(own);
-  for (int o = 0; o < static_cast<int>(offsets_.size()); ++o) {
-    const auto& step = offsets_[o].step;
-    const LocalIndex ahead = grid_.neighbor(at, step);
-    if (ahead >= 0 && bond(own, o))
-      places.push_back(
-          {ahead, static_cast<std::size_t>(block_of_[own / lanes]), static_cast<int>(own % lanes), o, false});
-    const LocalIndex behind = grid_.neighbor(at, {-step[0], -step[1], -step[2]});
-    if (behind < 0) continue;
-    const std::int64_t cell = grid_.cell[behind];
-    if (bond(cell, o))
-      places.push_back(
-          {behind, static_cast<std::size_t>(block_of_[cell / lanes]), static_cast<int>(cell % lanes), o, true});
-  }
+  each_of(i, ends, [&](const Place& place) { places.push_back(place); });
 }
 
 std::size_t LatticeFamilies::bytes() const {

@@ -1,5 +1,7 @@
 /// The way from a particle's bonds to their plastic extension in the sweeps' own order.
 #include <algorithm>
+#include <array>
+#include <numeric>
 
 #include "perinox/mechanics/plastic_extension.hpp"
 #include "perinox/mechanics/scene.hpp"
@@ -17,51 +19,78 @@ struct Entry {
 
 bool by_id(const Entry& a, const Entry& b) { return a.id < b.id; }
 
-/// Sorts entries by id. Neighbouring particles of a lattice have the same order, so the last one's is tried first.
-class Sorter {
+/// Numbers of the bonds of a lattice (LatticeFamilies::each_of) as the steps ascend along the axes in turn, the last
+/// most slowly.
+std::vector<int> ends_along(const std::vector<bonds::StencilOffset>& offsets, const std::array<int, 3>& axes) {
+  std::vector<int> ends(2 * offsets.size());
+  std::iota(ends.begin(), ends.end(), 0);
+  const auto key = [&](int end) {
+    const std::array<int, 3>& step = offsets[static_cast<std::size_t>(end / 2)].step;
+    const int sign = end % 2 != 0 ? -1 : 1;
+    return std::array<int, 3>{sign * step[axes[2]], sign * step[axes[1]], sign * step[axes[0]]};
+  };
+  std::sort(ends.begin(), ends.end(), [&](int a, int b) { return key(a) < key(b); });
+  return ends;
+}
+
+/// The bonds of the particles of a lattice by ascending id of the neighbour. Lattices are mostly numbered axis by axis:
+/// in the right order of these the bonds need no sorting.
+class LatticeOrder {
  public:
-  void sort(std::vector<Entry>& entries) {
-    if (order_.size() == entries.size()) {
-      sorted_.resize(entries.size());
-      for (std::size_t k = 0; k < entries.size(); ++k) sorted_[k] = entries[order_[k]];
-      if (std::is_sorted(sorted_.begin(), sorted_.end(), by_id)) {
-        entries.swap(sorted_);
-        return;
-      }
+  LatticeOrder(const bonds::LatticeFamilies& lattice, const std::vector<GlobalId>& id)
+      : lattice_(lattice), id_(id), ends_(ends_along(lattice.offsets(), {0, 1, 2})) {}
+
+  /// Entries of particle i, their places from place_of(place).
+  template <class PlaceOf>
+  const std::vector<Entry>& of(LocalIndex i, const PlaceOf& place_of) {
+    bool ascending = take(i, place_of);
+    if (!ascending && entries_.size() > largest_) {  // a small family may fit several orders
+      largest_ = entries_.size();
+      std::array<int, 3> axes{0, 1, 2};
+      do {
+        ends_ = ends_along(lattice_.offsets(), axes);
+        ascending = take(i, place_of);
+      } while (!ascending && std::next_permutation(axes.begin(), axes.end()));
     }
-    order_.resize(entries.size());
-    for (std::size_t k = 0; k < order_.size(); ++k) order_[k] = k;
-    std::sort(order_.begin(), order_.end(),
-              [&](std::size_t a, std::size_t b) { return by_id(entries[a], entries[b]); });
-    sorted_.resize(entries.size());
-    for (std::size_t k = 0; k < entries.size(); ++k) sorted_[k] = entries[order_[k]];
-    entries.swap(sorted_);
+    if (!ascending) std::sort(entries_.begin(), entries_.end(), by_id);
+    return entries_;
   }
 
  private:
-  std::vector<std::size_t> order_;
-  std::vector<Entry> sorted_;
+  template <class PlaceOf>
+  bool take(LocalIndex i, const PlaceOf& place_of) {
+    entries_.clear();
+    bool ascending = true;
+    GlobalId last = -1;
+    lattice_.each_of(i, ends_, [&](const bonds::LatticeFamilies::Place& place) {
+      const GlobalId id = id_[place.neighbor];
+      ascending = ascending && id > last;
+      last = id;
+      entries_.push_back({id, place_of(place)});
+    });
+    return ascending;
+  }
+
+  const bonds::LatticeFamilies& lattice_;
+  const std::vector<GlobalId>& id_;
+  std::vector<int> ends_;
+  std::size_t largest_ = 0;  ///< of the families that were out of order
+  std::vector<Entry> entries_;
 };
 
 /// visit(place) for the bonds of each of the particles in turn; place: null where there is no chunk.
 template <class Visit>
 void visit_lattice(const Scene& scene, double* const* chunks, const std::vector<LocalIndex>& particles,
                    const Visit& visit) {
-  std::vector<Entry> entries;
-  std::vector<bonds::LatticeFamilies::Place> places;
-  Sorter sorter;
-  for (const LocalIndex i : particles) {
-    scene.lattice()->places(i, places);
-    entries.clear();
-    for (const auto& place : places) {
-      const std::size_t at = (2 * static_cast<std::size_t>(place.offset) + (place.far ? 1 : 0)) * lanes +
-                             static_cast<std::size_t>(place.lane);
-      double* chunk = chunks ? chunks[place.block] : nullptr;
-      entries.push_back({scene.body().id[place.neighbor], chunk ? chunk + at : nullptr});
-    }
-    sorter.sort(entries);
-    for (const Entry& entry : entries) visit(entry.place);
-  }
+  LatticeOrder order(*scene.lattice(), scene.body().id);
+  const auto place_of = [&](const bonds::LatticeFamilies::Place& place) {
+    double* chunk = chunks ? chunks[place.block] : nullptr;
+    return chunk ? chunk + (2 * static_cast<std::size_t>(place.offset) + (place.far ? 1 : 0)) * lanes +
+                       static_cast<std::size_t>(place.lane)
+                 : nullptr;
+  };
+  for (const LocalIndex i : particles)
+    for (const Entry& entry : order.of(i, place_of)) visit(entry.place);
 }
 
 /// One pass over the pairs: a pair does not know where it stands in the family of its far end.

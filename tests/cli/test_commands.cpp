@@ -123,6 +123,22 @@ TEST(Run, WarnsWhereTheEnergiesDoNotAgree) {
   EXPECT_EQ(folder.perinox({"run", "deck.yaml", "--quiet", "--set", "steps.count=1"}).error, "");
 }
 
+TEST(Run, OthersAtTheSameTimeDoNotMatter) {
+  const Folder folder;
+  folder.write("deck.yaml", base_deck);
+  std::vector<Outcome> outcomes(6);
+  std::vector<std::thread> runs;
+  for (std::size_t k = 0; k < outcomes.size(); ++k)
+    runs.emplace_back([&, k] {
+      outcomes[k] = folder.perinox({"run", "deck.yaml", "--output", "results" + std::to_string(k)});
+    });
+  for (std::thread& run : runs) run.join();
+  for (const Outcome& outcome : outcomes) {
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.error, "");
+  }
+}
+
 TEST(Run, QuietSaysNothing) {
   const Folder folder;
   folder.write("deck.yaml", changed(base_deck, "0.01*t", "0.001*t"));

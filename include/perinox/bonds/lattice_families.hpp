@@ -55,13 +55,22 @@ class LatticeFamilies {
   };
   /// All bonds of particle i, in no particular order. Replaces what is in `places`.
   void places(LocalIndex i, std::vector<Place>& places) const;
+  /// visit(place) for the bonds of particle i in the order of `ends`: numbers 2 offset, and 2 offset + 1 for the
+  /// reverse.
+  template <class Visit>
+  void each_of(LocalIndex i, const std::vector<int>& ends, const Visit& visit) const;
   /// Particle i's end of its bond to j; its neighbor is -1 if there is none.
   Place find(LocalIndex i, LocalIndex j) const;
 
  private:
   static constexpr int lanes = 8;
   int number_of(const std::array<int, 3>& step);
-  bool bond(std::int64_t cell, int offset) const;
+  bool bond(std::int64_t cell, int offset) const {
+    const int b = block_of_[cell / lanes];
+    if (b < 0) return false;
+    const Block& block = blocks_[b];
+    return block.mask < 0 || (masks_[block.mask + offset] >> (cell % lanes) & 1) != 0;
+  }
 
   CellGrid grid_;
   double volume_ = 0;
@@ -91,6 +100,22 @@ void LatticeFamilies::each(const Visit& visit) const {
           visit(grid_.particle[static_cast<std::size_t>(block.cell + lane)],
                 grid_.particle[static_cast<std::size_t>(block.cell + lane + to)], offsets_[o]);
     }
+}
+
+template <class Visit>
+void LatticeFamilies::each_of(LocalIndex i, const std::vector<int>& ends, const Visit& visit) const {
+  const std::int64_t own = grid_.cell[i];
+  for (const int end : ends) {
+    const int o = end / 2;
+    const bool far = end % 2 != 0;
+    const std::array<int, 3>& step = offsets_[o].step;
+    const std::int64_t ahead = step[0] + step[1] * grid_.row + step[2] * grid_.plane;
+    // A step may leave the row, but a cell that has the bond has it to this particle and to no other.
+    const std::int64_t cell = far ? own - ahead : own;
+    if (cell < 0 || !bond(cell, o)) continue;
+    visit(Place{grid_.particle[far ? cell : own + ahead], static_cast<std::size_t>(block_of_[cell / lanes]),
+                static_cast<int>(cell % lanes), o, far});
+  }
 }
 
 }  // namespace perinox::bonds
