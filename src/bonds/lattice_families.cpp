@@ -139,10 +139,10 @@ const StencilOffset* LatticeFamilies::remove(LocalIndex i, LocalIndex j) {
 }
 
 void LatticeFamilies::places(LocalIndex i, std::vector<Place>& places) const {
-  std::vector<int> ends(2 * offsets_.size());
-  std::iota(ends.begin(), ends.end(), 0);
   places.clear();
-  each_of(i, ends, [&](const Place& place) { places.push_back(place); });
+  for (int o = 0; o < static_cast<int>(offsets_.size()); ++o)
+    for (const bool far : {false, true})
+      visit_end(grid_.cell[i], o, far, [&](const Place& place) { places.push_back(place); });
 }
 
 std::size_t LatticeFamilies::bytes() const {

@@ -65,6 +65,9 @@ class LatticeFamilies {
  private:
   static constexpr int lanes = 8;
   int number_of(const std::array<int, 3>& step);
+  /// visit(place) if the particle of cell `own` has this end of a bond.
+  template <class Visit>
+  void visit_end(std::int64_t own, int o, bool far, const Visit& visit) const;
   bool bond(std::int64_t cell, int offset) const {
     const int b = block_of_[cell / lanes];
     if (b < 0) return false;
@@ -103,19 +106,19 @@ void LatticeFamilies::each(const Visit& visit) const {
 }
 
 template <class Visit>
+void LatticeFamilies::visit_end(std::int64_t own, int o, bool far, const Visit& visit) const {
+  const std::array<int, 3>& step = offsets_[o].step;
+  const std::int64_t ahead = step[0] + step[1] * grid_.row + step[2] * grid_.plane;
+  // A step may leave the row, but a cell that has the bond has it to this particle and to no other.
+  const std::int64_t cell = far ? own - ahead : own;
+  if (cell < 0 || !bond(cell, o)) return;
+  visit(Place{grid_.particle[far ? cell : own + ahead], static_cast<std::size_t>(block_of_[cell / lanes]),
+              static_cast<int>(cell % lanes), o, far});
+}
+
+template <class Visit>
 void LatticeFamilies::each_of(LocalIndex i, const std::vector<int>& ends, const Visit& visit) const {
-  const std::int64_t own = grid_.cell[i];
-  for (const int end : ends) {
-    const int o = end / 2;
-    const bool far = end % 2 != 0;
-    const std::array<int, 3>& step = offsets_[o].step;
-    const std::int64_t ahead = step[0] + step[1] * grid_.row + step[2] * grid_.plane;
-    // A step may leave the row, but a cell that has the bond has it to this particle and to no other.
-    const std::int64_t cell = far ? own - ahead : own;
-    if (cell < 0 || !bond(cell, o)) continue;
-    visit(Place{grid_.particle[far ? cell : own + ahead], static_cast<std::size_t>(block_of_[cell / lanes]),
-                static_cast<int>(cell % lanes), o, far});
-  }
+  for (const int end : ends) visit_end(grid_.cell[i], end / 2, end % 2 != 0, visit);
 }
 
 }  // namespace perinox::bonds
