@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
+#include <string>
 
 #include "perinox/app/commands.hpp"
 #include "perinox/core/error.hpp"
@@ -86,17 +88,32 @@ int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool
 }
 
 /// A process started without mpirun talks to itself only. Two thirds of its start is what Open MPI brings up for
-/// others: networks, and a daemon for MPI_Comm_spawn. Without the daemon all such runs of a user would share a folder
-/// in /tmp, which the first to end takes away from the rest; it is for shared file pointers, which nothing here uses.
-void start_alone() {
-  for (const char* launched : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
-    if (std::getenv(launched) != nullptr) return;
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-  setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
-  setenv("OMPI_MCA_sharedfp", "individual", 0);
-  setenv("OMPI_MCA_pml", "ob1", 1);  // in place of what is set for runs on many machines, too
-  setenv("OMPI_MCA_btl", "self", 1);
-}
+/// others: networks, and a daemon for MPI_Comm_spawn. Without the daemon all such runs of a user would share one folder
+/// in /tmp, which the first to end takes away from the rest; so each has its own.
+class StartAlone {
+ public:
+  StartAlone() {
+    for (const char* launched : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+      if (std::getenv(launched) != nullptr) return;
+    std::error_code none;
+    std::string folder = (std::filesystem::temp_directory_path(none) / "perinox-XXXXXX").string();
+    if (none || mkdtemp(folder.data()) == nullptr) return;
+    folder_ = folder;
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
+    setenv("OMPI_MCA_orte_tmpdir_base", folder_.c_str(), 1);
+    setenv("OMPI_MCA_pml", "ob1", 1);  // in place of what is set for runs on many machines, too
+    setenv("OMPI_MCA_btl", "self", 1);
+  }
+  StartAlone(const StartAlone&) = delete;
+  StartAlone& operator=(const StartAlone&) = delete;
+  ~StartAlone() {
+    std::error_code ignored;
+    if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
+  }
+
+ private:
+  std::string folder_;
+};
 
 }  // namespace
 
@@ -114,7 +131,7 @@ int main(int argc, char** argv) {
       return 1;
     }
   }
-  start_alone();
+  const StartAlone alone;
   // Kokkos takes --help and other options for its own: it is shown the program's name alone.
   int shown = 1;
   char* name_only[] = {argv[0], nullptr};
