@@ -127,7 +127,7 @@ BondLimit limit_of(const deck::Deck& deck, const deck::Material& said, const mec
             {}};
   refuse_energy("take criterion: stretch");
   const double toughness = lattice_toughness(deck, scene.families().horizon, spacing_of(deck, said));
-  return {BondLimit::Kind::energy, *damage.energy_release_rate / (crossed.count * toughness), {}};
+  return {BondLimit::Kind::energy, *damage.energy_release_rate / (crossed.count * toughness), {}, toughness};
 }
 
 }  // namespace
@@ -151,7 +151,12 @@ std::vector<std::string> describe(const std::vector<BondLimit>& limits, const de
     if (limit.kind == BondLimit::Kind::stretch)
       lines.push_back(fmt::format("{}: bonds break at a stretch of {:.6g}", name, limit.limit));
     if (limit.kind == BondLimit::Kind::energy)
-      lines.push_back(fmt::format("{}: bonds break at {:.6g} energy a volume squared", name, limit.limit));
+      lines.push_back(
+          fmt::format("{}: bonds break at {:.6g} energy a volume squared{}", name, limit.limit,
+                      limit.toughness == 1
+                          ? std::string()
+                          : fmt::format(", those of G_c/{:.3g}: a crack in a lattice takes more than its bonds hold",
+                                        limit.toughness)));
     if (limit.kind == BondLimit::Kind::ductile)
       lines.push_back(fmt::format("{}: bonds break at a plastic strain of {:g} exp(-{:g} triaxiality)", name,
                                   limit.ductile.strain, limit.ductile.slope));

@@ -224,6 +224,10 @@ TEST(BondLimits, AreDescribed) {
               ::testing::ElementsAre("brittle: bonds break at a stretch of 0.02"));
   EXPECT_THAT(solve::describe({{solve::BondLimit::Kind::energy, 0.25, {}}}, deck),
               ::testing::ElementsAre("brittle: bonds break at 0.25 energy a volume squared"));
+  EXPECT_THAT(
+      solve::describe({{solve::BondLimit::Kind::energy, 0.25, {}, 1.5}}, deck),
+      ::testing::ElementsAre("brittle: bonds break at 0.25 energy a volume squared, those of G_c/1.5: a crack in a "
+                             "lattice takes more than its bonds hold"));
   EXPECT_THAT(solve::describe({{solve::BondLimit::Kind::ductile, 1, {0.3, 1.5}}}, deck),
               ::testing::ElementsAre("brittle: bonds break at a plastic strain of 0.3 exp(-1.5 triaxiality)"));
   EXPECT_TRUE(solve::describe({solve::BondLimit{}}, deck).empty());

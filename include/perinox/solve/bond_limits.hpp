@@ -17,6 +17,7 @@ struct BondLimit {
   Kind kind = Kind::none;
   double limit = 0;  ///< of the stretch, of the energy; 1 for ductile
   deck::DuctileFailure ductile{};
+  double toughness = 1;  ///< energy: what a crack takes over what its bonds hold; 1 if w was given
 };
 
 /// Lattice sums (of a cloud: the integrals) of what a plane crack crosses, the mean over all its directions.
