@@ -105,8 +105,8 @@ TEST(PlasticBar, EnergyBalance) {
   Verification table("energy", "bar of 8 x 8 x 32 h, hardening E/20: share of the work unaccounted for", "none");
   for (const int steps : resolutions({1, 10, 40}, {160})) {
     const Curve curve = pulled_bar("position-aware", 8, young / 20, steps);
-    const double error =
-        table.row("position-aware", fmt::format("{} steps", steps), curve.particles, curve.unaccounted);
+    const double error = table.row("position-aware", fmt::format("{} step{}", steps, steps == 1 ? "" : "s"),
+                                   curve.particles, curve.unaccounted);
     EXPECT_LE(std::abs(error), 1e-8);  // 3e-11
   }
 }
