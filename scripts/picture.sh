@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# A picture of a run: the curve of history.csv and the plastic zone in the deformed body at the last step written.
+# A picture of a run: the curve of history.csv, and damage or plastic zone in the deformed body at the last step written.
 #   scripts/picture.sh RESULTS_DIR [OUT]        OUT ends in .png (default RESULTS_DIR/picture.png) or .svg; an .svg of a large
 #                                               body is large too: 4 kB a particle
 # The curve: the first history entry across and the second one up; t across if there is one only, and the energy released by
