@@ -1,8 +1,9 @@
 /// Counts and costs of the two-level preconditioner: conjugate gradients to 1e-8 at the undeformed tangent.
 ///     build/bench_two_level <scene> <n> [key=value ...]
 /// scenes: cube, perforated, jittered, crack, contrast, plate-strain, plate-stress, points. keys: nu, cell (edge over
-/// horizon), level (1: block Jacobi only), bulk_limit, spring, ratio (horizon over spacing),
-/// dilatation (share of it in D).
+/// horizon), level (1: block Jacobi only), bulk_limit, spring, weight, ratio (horizon over spacing), dilatation (share
+/// of it in D), smoothing (degree), direct (coarse unknowns that are factorised), fitted (1: quadrature:
+/// position-aware).
 #include "perinox/solve/two_level.hpp"
 
 #include <fmt/format.h>
@@ -92,12 +93,13 @@ deck::Deck make_deck(const std::string& scene, int n, const Options& options) {
         "boundary:\n  - {{set: a, displacement: {{x: 0, y: 0, z: 0}}}}\n  - {{set: all, force: {{z: \"t\"}}}}\n",
         n - 1, n * (n - 1), n * n * (n - 1) + n / 2);
   const std::string yaml = fmt::format(
-      "dimension: {}\nbody:\n  - {{name: cube, shape: {}, {}, material: hard}}{}\nhorizon: {{ratio: {}}}\nquadrature: whole\n"
+      "dimension: {}\nbody:\n  - {{name: cube, shape: {}, {}, material: hard}}{}\nhorizon: {{ratio: {}}}\nquadrature: "
+      "{}\n"
       "materials:\n  hard: {{model: elastic, young_modulus: {}, poisson_ratio: {}}}\n{}{}{}steps: {{end: 1, count: "
       "1}}\n",
       flat ? scene.substr(6) == "strain" ? "plane-strain" : "plane-stress" : "3", shape, body, second,
-      options.number("ratio", 3.015), scene == "contrast" ? options.number("contrast", 1000) : 1.0,
-      options.number("nu", 0.33),
+      options.number("ratio", 3.015), options.number("fitted", 0) == 1 ? "position-aware" : "whole",
+      scene == "contrast" ? options.number("contrast", 1000) : 1.0, options.number("nu", 0.33),
       scene == "contrast"
           ? fmt::format("  soft: {{model: elastic, young_modulus: 1, poisson_ratio: {}}}\n", options.number("nu", 0.33))
           : "",
@@ -132,6 +134,8 @@ void run(int argc, char** argv) {
   settings.spring = options.number("spring", settings.spring);
   settings.weight = options.number("weight", settings.weight);
   settings.smoothing = static_cast<int>(options.number("smoothing", settings.smoothing));
+  settings.smoothing_nearly_incompressible =
+      static_cast<int>(options.number("smoothing", settings.smoothing_nearly_incompressible));
   settings.factorised_up_to =
       static_cast<long long>(options.number("direct", static_cast<double>(settings.factorised_up_to)));
   const double start = now();

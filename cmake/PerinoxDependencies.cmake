@@ -16,7 +16,7 @@ find_package(MPI QUIET COMPONENTS C CXX)
 perinox_require(MPI_CXX_FOUND libopenmpi-dev "an MPI compiler and library (Open MPI)")
 
 # One call for all: Trilinos' configuration fills its list of libraries the first time only.
-set(perinox_trilinos_packages Tpetra NOX Belos Ifpack2 MueLu Zoltan2 Stratimikos Thyra Sacado)
+set(perinox_trilinos_packages Tpetra NOX Belos Ifpack2 Zoltan2 Stratimikos Thyra Sacado)
 find_package(Trilinos QUIET COMPONENTS ${perinox_trilinos_packages})
 perinox_require(Trilinos_FOUND trilinos-all-dev "the Trilinos libraries")
 foreach(component IN LISTS perinox_trilinos_packages)

@@ -35,19 +35,18 @@ void BlockJacobi::invert(const std::vector<double>& blocks, double diagonal) {
       const Eigen::Matrix<double, d, 1> positive = block.diagonal().cwiseAbs().cwiseMax(1e-3 * diagonal);
       block = positive.asDiagonal();
     }
-    Eigen::Map<Block> inverse(&inverse_[i * size]);
-    inverse = block.inverse();
+    const Block inverse = block.inverse();
+    Eigen::Map<Eigen::Matrix<float, d, d>> kept(&inverse_[i * size]);
+    kept = (0.5 * (inverse + inverse.transpose())).template cast<float>();
   }
 }
 
 template <int d>
 void BlockJacobi::multiply_blocks(const double* x, double* y) const {
   for (std::size_t i = 0; i < inverse_.size() / (d * d); ++i)
-    for (std::size_t c = 0; c < d; ++c) {
-      double sum = 0;
-      for (std::size_t e = 0; e < d; ++e) sum += inverse_[(i * d + c) * d + e] * x[i * d + e];
-      y[i * d + c] = sum;
-    }
+    Eigen::Map<Eigen::Matrix<double, d, 1>>(y + i * d) =
+        Eigen::Map<const Eigen::Matrix<float, d, d>>(&inverse_[i * d * d]).template cast<double>() *
+        Eigen::Map<const Eigen::Matrix<double, d, 1>>(x + i * d);
 }
 
 void BlockJacobi::multiply(const double* x, double* y) const {

@@ -11,17 +11,18 @@ namespace {
 
 class Factors : public CoarseSolver {
  public:
-  Factors(const Communicator& ranks, const CoarseGrid& grid, const CoarseMatrix& matrix) : ranks_(ranks) {
+  Factors(const Communicator& ranks, const std::vector<GlobalId>& node_ids, const CoarseMatrix& matrix)
+      : ranks_(ranks) {
     const auto d = static_cast<std::size_t>(matrix.dimension);
     // Numbers of the nodes among all ranks' nodes, in the order of their ids: the factors do not depend on the
     // partition.
-    std::vector<long long> ids = grid.node_ids();
+    std::vector<long long> ids = node_ids;
     if (ranks.size() > 1) {
       ids = ranks.gather(ids);
       std::sort(ids.begin(), ids.end());
       ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     }
-    for (const GlobalId id : grid.node_ids())
+    for (const GlobalId id : node_ids)
       number_.push_back(static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()));
     dimension_ = d;
     all_.resize(ids.size() * d);
@@ -81,19 +82,9 @@ class Factors : public CoarseSolver {
 
 }  // namespace
 
-std::unique_ptr<CoarseSolver> factorised_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
+std::unique_ptr<CoarseSolver> factorised_coarse_solver(const Communicator& ranks, const std::vector<GlobalId>& node_ids,
                                                        const CoarseMatrix& matrix) {
-  return std::make_unique<Factors>(ranks, grid, matrix);
-}
-
-long long coarse_unknowns(const Communicator& ranks, const CoarseGrid& grid) {
-  std::vector<long long> ids = grid.node_ids();
-  if (ranks.size() > 1) {
-    ids = ranks.gather(ids);
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  }
-  return static_cast<long long>(ids.size()) * grid.dimension();
+  return std::make_unique<Factors>(ranks, node_ids, matrix);
 }
 
 }  // namespace perinox::solve

@@ -69,28 +69,13 @@ void CoarseGrid::shape_values(const CoarseElement& element, const double* x, dou
 }
 
 // Inside a cell a d-linear function is a sum of 2^d monomials, bit a of whose number says whether the coordinate on
-// axis a is a factor. Particle by particle only monomials are used, one lane of a vector each; the step between corner
-// values and monomials is done once a cell, axis by axis.
+// axis a is a factor. Particle by particle only monomials are used, a vector's components side by side in one register;
+// the step between corner values and monomials is done once a cell, axis by axis.
 
 namespace {
 
-template <int d>
-struct Lanes {
-  typedef double Vector __attribute__((vector_size(8 << d), may_alias));
-  typedef std::int64_t Mask __attribute__((vector_size(8 << d)));
-};
-
-template <int d, class Vector = typename Lanes<d>::Vector, class Mask = typename Lanes<d>::Mask>
-inline __attribute__((always_inline)) void monomials(const double* x, const double* corner, const double* over_size,
-                                                     Vector& value) {
-  Mask number{};
-  for (int m = 0; m < 1 << d; ++m) number[m] = m;
-  value = Vector{} + 1;
-  for (int a = 0; a < d; ++a) {
-    const Vector s = (x[a] - corner[a]) * over_size[a] - Vector{};
-    value *= (number >> a & 1) != 0 ? s : Vector{} + 1;
-  }
-}
+/// Numbers a monomial: the components, and in 3-D one more for the register's sake.
+constexpr int lanes_of(int dimension) { return dimension == 3 ? 4 : 2; }
 
 /// What the loops over particles see.
 struct Points {
@@ -110,17 +95,35 @@ Points points_of(const mechanics::Scene& scene, const std::vector<char>& prescri
   return points;
 }
 
-/// Particles in the order of memory: neighbours share an element, whose few sums stay near. sums: [elements][d][2^d].
+constexpr int top_bit(int m) { return m < 2 ? 0 : m < 4 ? 1 : 2; }
+
+template <int d>
+struct Lanes {
+  typedef double Vector __attribute__((vector_size(8 * lanes_of(d)), may_alias));
+};
+
+/// Particles in the order of memory: neighbours share an element, whose few sums stay near. sums:
+/// [elements][2^d][lanes].
 template <int d>
 inline __attribute__((always_inline)) void sum_monomials(const Points& p, const double* r, double* sums) {
   using Vector = typename Lanes<d>::Vector;
   for (LocalIndex i = 0; i < p.count; ++i) {
     const std::size_t first = static_cast<std::size_t>(i) * d;
     const auto e = static_cast<std::size_t>(p.element[i]);
-    Vector m;
-    monomials<d>(p.place + first, p.elements[e].corner.data(), p.over_size.data(), m);
-    auto* sum = reinterpret_cast<Vector*>(sums + (e * d << d));
-    for (int c = 0; c < d; ++c) sum[c] += (p.prescribed[first + c] ? 0 : r[first + c]) * m;
+    const double* corner = p.elements[e].corner.data();
+    double s[d];
+#pragma GCC unroll 3
+    for (int a = 0; a < d; ++a) s[a] = (p.place[first + a] - corner[a]) * p.over_size[a];
+    Vector force = Vector{};
+#pragma GCC unroll 3
+    for (int c = 0; c < d; ++c) force[c] = p.prescribed[first + c] ? 0 : r[first + c];
+    Vector terms[1 << d];
+    terms[0] = force;
+#pragma GCC unroll 8
+    for (int m = 1; m < 1 << d; ++m) terms[m] = terms[m - (1 << top_bit(m))] * s[top_bit(m)];
+    auto* sum = reinterpret_cast<Vector*>(sums + (e << d) * lanes_of(d));
+#pragma GCC unroll 8
+    for (int m = 0; m < 1 << d; ++m) sum[m] += terms[m];
   }
 }
 
@@ -130,15 +133,18 @@ inline __attribute__((always_inline)) void add_monomials(const Points& p, const 
   for (LocalIndex i = 0; i < p.count; ++i) {
     const std::size_t first = static_cast<std::size_t>(i) * d;
     const auto e = static_cast<std::size_t>(p.element[i]);
-    Vector m;
-    monomials<d>(p.place + first, p.elements[e].corner.data(), p.over_size.data(), m);
-    const auto* coefficient = reinterpret_cast<const Vector*>(coefficients + (e * d << d));
-    for (int c = 0; c < d; ++c) {
-      const Vector terms = coefficient[c] * m;
-      double sum = 0;
-      for (int k = 0; k < 1 << d; ++k) sum += terms[k];
-      z[first + c] += p.prescribed[first + c] ? 0 : sum;
-    }
+    const double* corner = p.elements[e].corner.data();
+    const auto* coefficient = reinterpret_cast<const Vector*>(coefficients + (e << d) * lanes_of(d));
+    double s[d];
+#pragma GCC unroll 3
+    for (int a = 0; a < d; ++a) s[a] = (p.place[first + a] - corner[a]) * p.over_size[a];
+    Vector value[1 << d];
+#pragma GCC unroll 8
+    for (int m = 0; m < 1 << d; ++m) value[m] = coefficient[m];
+#pragma GCC unroll 8
+    for (int m = (1 << d) - 1; m > 0; --m) value[m - (1 << top_bit(m))] += value[m] * s[top_bit(m)];
+#pragma GCC unroll 3
+    for (int c = 0; c < d; ++c) z[first + c] += p.prescribed[first + c] ? 0 : value[0][c];
   }
 }
 
@@ -166,11 +172,12 @@ void CoarseGrid::restrict_to_nodes(const double* r, double* coarse) const {
   (d == 3 ? sum_3 : sum_2)(points, r, monomials());
   for (std::size_t e = 0; e < elements_.size(); ++e)
     for (int c = 0; c < d; ++c) {
-      double* sum = monomials() + (e * d + c) * corners;
+      double* sum = monomials() + e * corners * lanes_of(d) + c;
       for (int a = 0; a < d; ++a)
         for (int m = 0; m < corners; ++m)
-          if ((m >> a & 1) == 0) sum[m] -= sum[m + (1 << a)];
-      for (int m = 0; m < corners; ++m) coarse[static_cast<std::size_t>(elements_[e].node[m]) * d + c] += sum[m];
+          if ((m >> a & 1) == 0) sum[m * lanes_of(d)] -= sum[(m + (1 << a)) * lanes_of(d)];
+      for (int m = 0; m < corners; ++m)
+        coarse[static_cast<std::size_t>(elements_[e].node[m]) * d + c] += sum[m * lanes_of(d)];
     }
 }
 
@@ -180,18 +187,19 @@ void CoarseGrid::add_interpolated(const double* coarse, double* z) const {
   clear_monomials();
   for (std::size_t e = 0; e < elements_.size(); ++e)
     for (int c = 0; c < d; ++c) {
-      double* coefficient = monomials() + (e * d + c) * corners;
-      for (int m = 0; m < corners; ++m) coefficient[m] = coarse[static_cast<std::size_t>(elements_[e].node[m]) * d + c];
+      double* coefficient = monomials() + e * corners * lanes_of(d) + c;
+      for (int m = 0; m < corners; ++m)
+        coefficient[m * lanes_of(d)] = coarse[static_cast<std::size_t>(elements_[e].node[m]) * d + c];
       for (int a = 0; a < d; ++a)
         for (int m = 0; m < corners; ++m)
-          if ((m >> a & 1) == 0) coefficient[m + (1 << a)] -= coefficient[m];
+          if ((m >> a & 1) == 0) coefficient[(m + (1 << a)) * lanes_of(d)] -= coefficient[m * lanes_of(d)];
     }
   (d == 3 ? add_3 : add_2)(points, monomials(), z);
 }
 
 void CoarseGrid::clear_monomials() const {
-  // Whole vectors of eight: aligned to them, and one more to find the first such place.
-  monomials_.assign(elements_.size() * static_cast<std::size_t>(dimension() * cells_.corners()) + 8, 0.0);
+  // Aligned to registers of eight numbers: so many more to find the first such place.
+  monomials_.assign(elements_.size() * static_cast<std::size_t>(lanes_of(dimension()) * cells_.corners()) + 8, 0.0);
 }
 
 double* CoarseGrid::monomials() const {

@@ -1,10 +1,11 @@
 #include "perinox/solve/coarse_pieces.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
+
+#include "perinox/solve/disjoint_sets.hpp"
 
 namespace perinox::solve {
 
@@ -16,23 +17,6 @@ using Keys = std::unordered_set<GlobalId>;
 /// that such a gap of one cell's width runs through, one is filled to a half at most. Interior cells of jittered clouds
 /// stay above it.
 constexpr double poorly_filled = 0.7;
-
-/// Sets of equals over 0..n-1; the root of a set is its smallest member.
-class Union {
- public:
-  explicit Union(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-  LocalIndex root(LocalIndex i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(LocalIndex a, LocalIndex b) {
-    const LocalIndex ra = root(a), rb = root(b);
-    parent_[std::max(ra, rb)] = std::min(ra, rb);
-  }
-
- private:
-  std::vector<LocalIndex> parent_;
-};
 
 std::vector<std::array<int, 3>> offsets_around(int dimension) {
   std::vector<std::array<int, 3>> all;
@@ -115,7 +99,7 @@ CoarsePieces::CoarsePieces(const mechanics::Scene& scene, const CoarseCells& cel
 
   // Pieces of each cell: union by bonds on this rank, then owners' labels go to ghosts until no label falls any more.
   // (A bond is in both ends' families, so the owner of a ghost sees the same bond from its side.)
-  Union joined(local);
+  DisjointSets joined(local);
   std::vector<char> inside(local);
   for (std::size_t i = 0; i < local; ++i) inside[i] = looked_at.count(cell[i]) > 0;
   std::vector<LocalIndex> neighbors;
@@ -188,7 +172,7 @@ CoarsePieces::CoarsePieces(const mechanics::Scene& scene, const CoarseCells& cel
       if (found != pieces_of.end()) members.insert(members.end(), found->second.begin(), found->second.end());
     }
     std::sort(members.begin(), members.end());
-    Union component(members.size());
+    DisjointSets component(members.size());
     for (std::size_t k = 0; k < members.size(); ++k) {
       const auto found = tied_to.find(members[k]);
       if (found == tied_to.end()) continue;

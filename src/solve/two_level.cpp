@@ -14,12 +14,8 @@ constexpr double grounding = 1e-10;
 /// Least share of a prescribed particle's stiffness that holds the coarse grid: nodes deep inside a support would float
 /// without it.
 constexpr double least_spring = 0.1;
-/// kappa/mu above which finer cells pay.
+/// kappa/mu above which finer cells and a better smoother pay.
 constexpr double nearly_incompressible = 20;
-/// kappa/mu above which D has less of the dilatation: most fields that D has to deal with change no volume, and with
-/// all of it D is several times too stiff for them.
-constexpr double extremely_incompressible = 100;
-constexpr double extremely_incompressible_share = 0.15;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -53,7 +49,9 @@ bool TwoLevel::worth_its_cost(const mechanics::Scene& scene) {
 }
 
 double TwoLevel::dilatation_share(const mechanics::Scene& scene) {
-  return largest_ratio(scene) > extremely_incompressible ? extremely_incompressible_share : 1;
+  // Most fields that D has to deal with change no volume: with all of the dilatation it is too stiff for them. The best
+  // shares found are 0.5 for kappa/mu = 50 (nu = 0.49) and 0.1 for 500 (0.499).
+  return std::min(1.0, std::pow(18 / largest_ratio(scene), 0.7));
 }
 
 TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene,
@@ -136,10 +134,10 @@ void TwoLevel::make_coarse() {
     double* block = matrix.block(static_cast<LocalIndex>(n), static_cast<LocalIndex>(n));
     for (int c = 0; c < matrix.dimension; ++c) block[c * (matrix.dimension + 1)] *= 1 + grounding;
   }
-  const Communicator& ranks = scene_.body().communicator;
-  solver_ = coarse_unknowns(ranks, grid_) <= settings_.factorised_up_to
-                ? factorised_coarse_solver(ranks, grid_, matrix)
-                : multigrid_coarse_solver(ranks, grid_, matrix, settings_.smoothing);
+  const bool incompressible = largest_ratio(scene_) > nearly_incompressible;
+  solver_ = nested_coarse_solver(scene_.body().communicator, grid_, std::move(matrix),
+                                 incompressible ? settings_.smoothing_nearly_incompressible : settings_.smoothing,
+                                 settings_.factorised_up_to);
   graph_ = nullptr;  // may hold a word a bond
 }
 

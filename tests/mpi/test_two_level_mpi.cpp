@@ -25,6 +25,13 @@ TEST(TwoLevelRanks, VCycle) {
   compare("cube, V-cycle", held_cube(16), settings);
 }
 
+TEST(TwoLevelRanks, NestedGridsPartAtCracks) {
+  // Three grids, of which the smallest is factorised; the crack runs across the ranks.
+  solve::TwoLevel::Settings settings;
+  settings.factorised_up_to = 100;
+  compare("crack, nested grids", held_cube(16, 0.33, half_crack(16)), settings);
+}
+
 TEST(TwoLevelRanks, Crack) {
   // The number of copies of the nodes on the crack is the same too: pieces are found across ranks.
   compare("crack", held_cube(12, 0.33, half_crack(12)));

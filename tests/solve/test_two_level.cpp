@@ -77,8 +77,8 @@ TEST(TwoLevel, SymmetricAndPositiveDefinite) {
       preconditioner->multiply(w.data(), mw.data());
       preconditioner->multiply(z.data(), mz.data());
       const double size = std::sqrt(problem.dot(z, z) * problem.dot(mw, mw));
-      // Measured: 1e-17 to 1e-16 (factors), the same (V-cycle).
-      EXPECT_LT(std::abs(problem.dot(z, mw) - problem.dot(w, mz)) / size, 1e-14);
+      // Measured: 1e-17 to 1e-16 (factors), 1e-12 to 3e-12 (V-cycle, which is in single precision).
+      EXPECT_LT(std::abs(problem.dot(z, mw) - problem.dot(w, mz)) / size, factorised_up_to > 0 ? 1e-14 : 1e-10);
       EXPECT_GT(problem.dot(w, mw), 0);
     }
   }

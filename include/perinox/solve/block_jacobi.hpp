@@ -24,7 +24,7 @@ class BlockJacobi : public OwnedOperator {
 
   int d_;
   const std::vector<char>& prescribed_;
-  std::vector<double> inverse_;  ///< [owned * dimension^2]
+  std::vector<float> inverse_;  ///< [owned * dimension^2]
 };
 
 }  // namespace perinox::solve

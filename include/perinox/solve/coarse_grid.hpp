@@ -46,7 +46,7 @@ class CoarseGrid {
 
  private:
   void clear_monomials() const;
-  double* monomials() const;  ///< [elements][dimension][corners] of the function at hand
+  double* monomials() const;  ///< [elements][corners][4, in 2-D 2] of the function at hand
 
   const mechanics::Scene& scene_;
   const std::vector<char>& prescribed_;

@@ -22,15 +22,13 @@ class CoarseSolver {
 
 /// Sparse Cholesky factors, the same on every rank: for small systems. Throws std::runtime_error where the matrix is
 /// not positive definite. Collective.
-std::unique_ptr<CoarseSolver> factorised_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
+std::unique_ptr<CoarseSolver> factorised_coarse_solver(const Communicator& ranks, const std::vector<GlobalId>& node_ids,
                                                        const CoarseMatrix& matrix);
 
-/// One V-cycle of smoothed aggregation with Chebyshev smoothers of the given degree, distributed: for large systems.
-/// Collective.
-std::unique_ptr<CoarseSolver> multigrid_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
-                                                      const CoarseMatrix& matrix, int smoothing);
-
-/// Unknowns of the coarse system over all ranks. Collective.
-long long coarse_unknowns(const Communicator& ranks, const CoarseGrid& grid);
+/// One V-cycle over the grid and every second, fourth, ... node of it (Nesting), with Chebyshev smoothers of the given
+/// degree in single precision. The first level of at most factorised_up_to unknowns is factorised: it may be the grid
+/// itself. Collective.
+std::unique_ptr<CoarseSolver> nested_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
+                                                   CoarseMatrix matrix, int smoothing, long long factorised_up_to);
 
 }  // namespace perinox::solve

@@ -17,12 +17,13 @@ class TwoLevel : public OwnedOperator {
   struct Settings {
     double cell = 1;                           ///< edge of the grid's cells over the horizon; two spacings at least
     double cell_nearly_incompressible = 0.67;  ///< the same, where a material has kappa/mu above 20 (nu about 0.476)
-    double bulk_limit = 6;                     ///< see coarse_elasticity
+    double bulk_limit = 8;                     ///< see coarse_elasticity
     double spring = 1;                         ///< scale of the springs that stand for prescribed unknowns
     double softening = 0.1;                    ///< mean change of shear_left at which A_c is made anew
     double weight = 1;                         ///< of the coarse term
-    int smoothing = 2;                         ///< degree of the V-cycle's Chebyshev smoother
-    long long factorised_up_to = 2500;         ///< coarse unknowns up to which they are factorised
+    int smoothing = 2;                         ///< degree of the V-cycle's Chebyshev smoothers
+    int smoothing_nearly_incompressible = 3;   ///< the same, where kappa/mu is above 20
+    long long factorised_up_to = 700;          ///< coarse unknowns up to which they are factorised
   };
 
   /// False for a body of two cells at most on every axis: D alone does as well there. Collective.
