@@ -134,8 +134,6 @@ void run(int argc, char** argv) {
   settings.spring = options.number("spring", settings.spring);
   settings.weight = options.number("weight", settings.weight);
   settings.smoothing = static_cast<int>(options.number("smoothing", settings.smoothing));
-  settings.smoothing_nearly_incompressible =
-      static_cast<int>(options.number("smoothing", settings.smoothing_nearly_incompressible));
   settings.factorised_up_to =
       static_cast<long long>(options.number("direct", static_cast<double>(settings.factorised_up_to)));
   const double start = now();

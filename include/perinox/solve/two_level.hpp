@@ -20,9 +20,8 @@ class TwoLevel : public OwnedOperator {
     double bulk_limit = 8;                     ///< see coarse_elasticity
     double spring = 1;                         ///< scale of the springs that stand for prescribed unknowns
     double softening = 0.1;                    ///< mean change of shear_left at which A_c is made anew
-    double weight = 1;                         ///< of the coarse term
-    int smoothing = 2;                         ///< degree of the V-cycle's Chebyshev smoothers
-    int smoothing_nearly_incompressible = 3;   ///< the same, where kappa/mu is above 20
+    double weight = 1;                         ///< of the coarse term, where nothing flows
+    int smoothing = 3;                         ///< degree of the V-cycle's Chebyshev smoothers
     long long factorised_up_to = 700;          ///< coarse unknowns up to which they are factorised
   };
 
@@ -65,6 +64,7 @@ class TwoLevel : public OwnedOperator {
   bonds::BondGraph graph_;          ///< until A_c is first made
   std::vector<double> shear_left_;  ///< of A_c
   std::vector<double> springs_;     ///< of A_c, [owned * dimension]
+  double weight_ = 1;               ///< of the coarse term: Settings::weight and the mean share of mu that flow took
   long long bonds_broken_ = 0;      ///< when A_c was made, over all ranks
   Settings settings_;
   BlockJacobi block_jacobi_;
