@@ -1,9 +1,9 @@
 /// Counts and costs of the two-level preconditioner: conjugate gradients to 1e-8 at the undeformed tangent.
 ///     build/bench_two_level <scene> <n> [key=value ...]
-/// scenes: cube, perforated, jittered, crack, contrast, plate-strain, plate-stress, points. keys: nu, cell (edge over
-/// horizon), level (1: block Jacobi only), bulk_limit, spring, weight, ratio (horizon over spacing), dilatation (share
-/// of it in D), smoothing (degree), direct (coarse unknowns that are factorised), fitted (1: quadrature:
-/// position-aware).
+/// scenes: cube, perforated, jittered, crack, contrast, plate-strain, plate-stress, points, bar and sheet (held at one
+/// end, eight particles thick). keys: nu, cell (edge over horizon), level (1: block Jacobi only), bulk_limit, spring,
+/// weight, ratio (horizon over spacing), dilatation (share of it in D), smoothing (degree), direct (coarse unknowns
+/// that are factorised), fitted (1: quadrature: position-aware).
 #include "perinox/solve/two_level.hpp"
 
 #include <fmt/format.h>
@@ -87,6 +87,12 @@ deck::Deck make_deck(const std::string& scene, int n, const Options& options) {
       "sets: {{foot: {{where: \"{0} < 3\"}}, head: {{where: \"{0} > {1}\"}}}}\n"
       "boundary:\n  - {{set: foot, displacement: {{{2}}}}}\n  - {{set: head, displacement: {{{3}}}}}\n",
       axis, n - 3, held, pulled);
+  if (scene == "bar" || scene == "sheet") {
+    shape = fmt::format("{{box: {{min: [0, 0, 0], max: [{}, {}, 8]}}}}", n, scene == "bar" ? 8 : n);
+    boundary =
+        "sets: {foot: {where: \"x < 3\"}}\n"
+        "boundary:\n  - {set: foot, displacement: {x: 0, y: 0, z: 0}}\n  - {set: all, force: {z: \"t\"}}\n";
+  }
   if (scene == "points")
     boundary = fmt::format(
         "sets: {{a: {{ids: [0, {0}, {1}, {2}]}}}}\n"
@@ -129,7 +135,7 @@ void run(int argc, char** argv) {
 
   solve::TwoLevel::Settings settings;
   settings.cell = options.number("cell", settings.cell);
-  settings.cell_nearly_incompressible = options.number("cell", settings.cell_nearly_incompressible);
+  settings.finer_cell = options.number("cell", settings.finer_cell);
   settings.bulk_limit = options.number("bulk_limit", settings.bulk_limit);
   settings.spring = options.number("spring", settings.spring);
   settings.weight = options.number("weight", settings.weight);

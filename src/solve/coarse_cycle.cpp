@@ -8,28 +8,9 @@
 #include "perinox/solve/nested_nodes.hpp"
 #include "perinox/solve/node_smoother.hpp"
 
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
-
 namespace perinox::solve {
 
 namespace {
-
-/// While it lives, single precision's numbers below the smallest normal one are zero: far from where a load acts they
-/// are frequent, and each costs a hundred times a normal one.
-class NoSubnormals {
- public:
-#if defined(__SSE__)
-  NoSubnormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
-  ~NoSubnormals() { _mm_setcsr(before_); }
-  NoSubnormals(const NoSubnormals&) = delete;
-  NoSubnormals& operator=(const NoSubnormals&) = delete;
-
- private:
-  unsigned before_;
-#endif
-};
 
 /// Of the largest eigenvalue to the lowest that smoothers treat. 4 costs iterations, 12 to 35 are the same.
 constexpr double smoothed_ratio = 20;
@@ -53,7 +34,7 @@ class Nested : public CoarseSolver {
   Nested(const Communicator& ranks, const CoarseGrid& grid, CoarseMatrix matrix, int smoothing,
          long long factorised_up_to)
       : dimension_(static_cast<std::size_t>(matrix.dimension)) {
-    // In units of its largest entry: single precision has a narrow range.
+    // In units of its largest entry: single precision, in which the smoothers keep it, has a narrow range.
     for (const double value : matrix.value) scale_ = std::max(scale_, std::abs(value));
     scale_ = ranks.max(scale_);
     for (double& value : matrix.value) value /= scale_;
@@ -83,14 +64,14 @@ class Nested : public CoarseSolver {
       for (std::size_t u = 0; u < last_nodes_ * d; ++u) solution[u] /= scale_;
       return;
     }
-    [[maybe_unused]] const NoSubnormals guard;
     Level& top = levels_.front();
     for (std::size_t n = 0; n < top.smoother.size() / 4; ++n)
-      for (std::size_t c = 0; c < d; ++c) top.right[4 * n + c] = static_cast<float>(right[n * d + c]);
+      for (std::size_t c = 0; c < d; ++c) top.right[4 * n + c] = right[n * d + c];
     cycle(0);
     for (std::size_t n = 0; n < top.smoother.size() / 4; ++n)
       for (std::size_t c = 0; c < d; ++c) solution[n * d + c] = top.x[4 * n + c] / scale_;
   }
+  bool exact() const override { return levels_.empty(); }
   long long unknowns() const override { return unknowns_; }
   std::size_t bytes() const override {
     std::size_t sum = last_->bytes();
@@ -124,7 +105,7 @@ class Nested : public CoarseSolver {
     coarse_.assign(4 * nesting.coarse.id.size(), 0);
     for (std::size_t n = 0; n < nodes; ++n)
       for (std::size_t p = nesting.parent_begin[n]; p < nesting.parent_begin[n + 1]; ++p) {
-        float* to = &coarse_[4 * static_cast<std::size_t>(nesting.parent[p])];
+        double* to = &coarse_[4 * static_cast<std::size_t>(nesting.parent[p])];
         for (std::size_t c = 0; c < 4; ++c) to[c] += nesting.weight[p] * level.left[4 * n + c];
       }
     if (last) {
@@ -136,7 +117,7 @@ class Nested : public CoarseSolver {
     const NodeSmoother::Vector& correction = last ? coarse_ : levels_[depth + 1].x;
     for (std::size_t n = 0; n < nodes; ++n)
       for (std::size_t p = nesting.parent_begin[n]; p < nesting.parent_begin[n + 1]; ++p) {
-        const float* from = &correction[4 * static_cast<std::size_t>(nesting.parent[p])];
+        const double* from = &correction[4 * static_cast<std::size_t>(nesting.parent[p])];
         for (std::size_t c = 0; c < 4; ++c) level.x[4 * n + c] += nesting.weight[p] * from[c];
       }
     level.smoother.smooth(level.right, level.x, false);
@@ -151,7 +132,7 @@ class Nested : public CoarseSolver {
       for (std::size_t c = 0; c < d; ++c) last_right_[n * d + c] = values[4 * n + c];
     last_->solve(last_right_.data(), last_solution_.data());
     for (std::size_t n = 0; n < last_nodes_; ++n)
-      for (std::size_t c = 0; c < d; ++c) values[4 * n + c] = static_cast<float>(last_solution_[n * d + c]);
+      for (std::size_t c = 0; c < d; ++c) values[4 * n + c] = last_solution_[n * d + c];
   }
 
   std::size_t dimension_;
@@ -166,8 +147,8 @@ class Nested : public CoarseSolver {
 
 }  // namespace
 
-std::unique_ptr<CoarseSolver> nested_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
-                                                   CoarseMatrix matrix, int smoothing, long long factorised_up_to) {
+std::unique_ptr<CoarseSolver> make_coarse_solver(const Communicator& ranks, const CoarseGrid& grid, CoarseMatrix matrix,
+                                                 int smoothing, long long factorised_up_to) {
   return std::make_unique<Nested>(ranks, grid, std::move(matrix), smoothing, factorised_up_to);
 }
 

@@ -68,6 +68,7 @@ class Factors : public CoarseSolver {
     for (std::size_t n = 0; n < number_.size(); ++n)
       for (std::size_t c = 0; c < d; ++c) solution[n * d + c] = found[static_cast<Eigen::Index>(number_[n] * d + c)];
   }
+  bool exact() const override { return true; }
   long long unknowns() const override { return static_cast<long long>(all_.size()); }
   std::size_t bytes() const override { return nonzeros_ * (sizeof(double) + sizeof(int)); }
 

@@ -113,7 +113,7 @@ Nesting nest(const Communicator& ranks, const SharedNodes& shared, const GridNod
       nesting.parent.push_back(static_cast<LocalIndex>(at));
     }
     const std::size_t count = nesting.parent.size() - nesting.parent_begin.back();
-    nesting.weight.insert(nesting.weight.end(), count, 1.0F / static_cast<float>(count));
+    nesting.weight.insert(nesting.weight.end(), count, 1.0 / static_cast<double>(count));
     nesting.parent_begin.push_back(nesting.parent.size());
   }
   return nesting;

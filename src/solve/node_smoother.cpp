@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace perinox::solve {
@@ -13,21 +14,29 @@ constexpr int power_iterations = 12;
 /// The power iteration's estimate is from below.
 constexpr double estimate_margin = 1.1;
 
-typedef float Four __attribute__((vector_size(16), aligned(4), may_alias));
+typedef double Four __attribute__((vector_size(32), aligned(8), may_alias));
+typedef float FourSingle __attribute__((vector_size(16), aligned(4), may_alias));
 
-inline __attribute__((always_inline)) Four load(const float* at) { return *reinterpret_cast<const Four*>(at); }
+inline __attribute__((always_inline)) void load(const float* at, Four& column) {
+  column = __builtin_convertvector(*reinterpret_cast<const FourSingle*>(at), Four);
+}
 
 /// left = right - A x; right may be null for zero.
 template <int d>
 inline __attribute__((always_inline)) void subtract_product(std::size_t nodes, const LocalIndex* begin,
                                                             const LocalIndex* column, const float* blocks,
-                                                            const float* right, const float* x, float* left) {
+                                                            const double* right, const double* x, double* left) {
   for (std::size_t n = 0; n < nodes; ++n) {
-    Four sum = right ? load(right + 4 * n) : Four{};
+    Four sum = right ? *reinterpret_cast<const Four*>(right + 4 * n) : Four{};
     for (LocalIndex k = begin[n]; k < begin[n + 1]; ++k) {
       const float* block = blocks + static_cast<std::size_t>(k) * (4 * d);
-      const float* value = x + 4 * static_cast<std::size_t>(column[k]);
-      for (int c = 0; c < d; ++c) sum -= load(block + 4 * c) * value[c];
+      const double* value = x + 4 * static_cast<std::size_t>(column[k]);
+#pragma GCC unroll 3
+      for (int c = 0; c < d; ++c) {
+        Four entries;
+        load(block + 4 * c, entries);
+        sum -= entries * value[c];
+      }
     }
     *reinterpret_cast<Four*>(left + 4 * n) = sum;
   }
@@ -39,20 +48,22 @@ inline __attribute__((always_inline)) void subtract_product(std::size_t nodes, c
 #define PERINOX_FOR_EACH_MACHINE
 #endif
 PERINOX_FOR_EACH_MACHINE void subtract_product_3(std::size_t nodes, const LocalIndex* begin, const LocalIndex* column,
-                                                 const float* blocks, const float* right, const float* x, float* left) {
+                                                 const float* blocks, const double* right, const double* x,
+                                                 double* left) {
   subtract_product<3>(nodes, begin, column, blocks, right, x, left);
 }
 PERINOX_FOR_EACH_MACHINE void subtract_product_2(std::size_t nodes, const LocalIndex* begin, const LocalIndex* column,
-                                                 const float* blocks, const float* right, const float* x, float* left) {
+                                                 const float* blocks, const double* right, const double* x,
+                                                 double* left) {
   subtract_product<2>(nodes, begin, column, blocks, right, x, left);
 }
 
 /// A number in [-1, 1] that depends on nothing but the unknown: the same on any partition.
-float scattered(GlobalId id, int component) {
+double scattered(GlobalId id, int component) {
   auto bits = static_cast<std::uint64_t>(id * 4 + component + 1) * 0x9E3779B97F4A7C15ULL;
   bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9ULL;
   bits = (bits ^ bits >> 27) * 0x94D049BB133111EBULL;
-  return static_cast<float>(static_cast<double>(bits >> 11) * 0x1.0p-52 - 1);
+  return static_cast<double>(bits >> 11) * 0x1.0p-52 - 1;
 }
 
 }  // namespace
@@ -82,8 +93,7 @@ NodeSmoother::NodeSmoother(const Communicator& ranks, const SharedNodes& shared,
     const Eigen::MatrixXd inverse = block.inverse();
     for (std::size_t p = 0; p < d; ++p)
       for (std::size_t q = 0; q < d; ++q)
-        inverse_diagonal_[(n * d + q) * 4 + p] =
-            static_cast<float>(inverse(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(q)));
+        inverse_diagonal_[(n * d + q) * 4 + p] = inverse(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(q));
   }
 
   // The largest eigenvalue of D^-1 A: w = D^-1 A v has the quotient w.Aw / w.Dw <= highest, here w.Av / v.Av.
@@ -100,19 +110,19 @@ NodeSmoother::NodeSmoother(const Communicator& ranks, const SharedNodes& shared,
     std::vector<double> sums{0, 0, 0};
     for (std::size_t u = 0; u < size(); ++u) {
       if (!counted[u / 4]) continue;
-      sums[0] += static_cast<double>(w[u]) * work_[u];
-      sums[1] -= static_cast<double>(v[u]) * work_[u];
-      sums[2] = std::max(sums[2], std::abs(static_cast<double>(w[u])));
+      sums[0] += w[u] * work_[u];
+      sums[1] -= v[u] * work_[u];
+      sums[2] = std::max(sums[2], std::abs(w[u]));
     }
     const double most = ranks.max(sums[2]);
     sums.resize(2);
     ranks.sum(sums);
     if (!(sums[1] > 0) || !(most > 0)) break;
     highest = sums[0] / sums[1];
-    for (std::size_t u = 0; u < size(); ++u) v[u] = static_cast<float>(w[u] / most);
+    for (std::size_t u = 0; u < size(); ++u) v[u] = w[u] / most;
   }
-  highest_ = static_cast<float>(estimate_margin * highest);
-  lowest_ = static_cast<float>(highest_ / ratio);
+  highest_ = estimate_margin * highest;
+  lowest_ = highest_ / ratio;
 }
 
 void NodeSmoother::residual(const Vector& right, const Vector& x, Vector& left) const {
@@ -127,14 +137,15 @@ void NodeSmoother::multiply_diagonal(const Vector& x, Vector& y) const {
   const auto d = static_cast<std::size_t>(dimension_);
   for (std::size_t n = 0; n < size() / 4; ++n) {
     Four sum{};
-    for (std::size_t c = 0; c < d; ++c) sum += load(&inverse_diagonal_[(n * d + c) * 4]) * x[4 * n + c];
+    for (std::size_t c = 0; c < d; ++c)
+      sum += *reinterpret_cast<const Four*>(&inverse_diagonal_[(n * d + c) * 4]) * x[4 * n + c];
     *reinterpret_cast<Four*>(&y[4 * n]) = sum;
   }
 }
 
 void NodeSmoother::smooth(const Vector& right, Vector& x, bool from_zero) const {
-  const float middle = (highest_ + lowest_) / 2, half = (highest_ - lowest_) / 2;
-  float rho = half / middle;
+  const double middle = (highest_ + lowest_) / 2, half = (highest_ - lowest_) / 2;
+  double rho = half / middle;
   if (from_zero) {
     work_ = right;
     x.assign(size(), 0);
@@ -148,7 +159,7 @@ void NodeSmoother::smooth(const Vector& right, Vector& x, bool from_zero) const 
       direction_.resize(size());
       for (std::size_t u = 0; u < size(); ++u) direction_[u] = scaled_[u] / middle;
     } else {
-      const float next = 1 / (2 * middle / half - rho);
+      const double next = 1 / (2 * middle / half - rho);
       for (std::size_t u = 0; u < size(); ++u)
         direction_[u] = next * rho * direction_[u] + 2 * next / half * scaled_[u];
       rho = next;
@@ -159,9 +170,9 @@ void NodeSmoother::smooth(const Vector& right, Vector& x, bool from_zero) const 
 }
 
 std::size_t NodeSmoother::bytes() const {
-  return (blocks_.capacity() + inverse_diagonal_.capacity() + work_.capacity() + direction_.capacity() +
-          scaled_.capacity()) *
-             sizeof(float) +
+  return blocks_.capacity() * sizeof(float) +
+         (inverse_diagonal_.capacity() + work_.capacity() + direction_.capacity() + scaled_.capacity()) *
+             sizeof(double) +
          (begin_.capacity() + column_.capacity()) * sizeof(LocalIndex);
 }
 

@@ -87,7 +87,6 @@ void SharedNodes::exchange(Number* values, int width, MPI_Datatype type, const C
   if (!own_taken) take(shared_, own);
 }
 
-template void SharedNodes::exchange(float*, int, MPI_Datatype, const SharedNodes::Sum&) const;
 template void SharedNodes::exchange(double*, int, MPI_Datatype, const SharedNodes::Sum&) const;
 template void SharedNodes::exchange(long long*, int, MPI_Datatype, const SharedNodes::Lowest&) const;
 

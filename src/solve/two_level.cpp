@@ -14,25 +14,41 @@ constexpr double grounding = 1e-10;
 /// Least share of a prescribed particle's stiffness that holds the coarse grid: nodes deep inside a support would float
 /// without it.
 constexpr double least_spring = 0.1;
-/// kappa/mu above which finer cells pay.
-constexpr double nearly_incompressible = 20;
+/// Where finer cells pay: above this kappa/mu, and this ratio of the moduli of two materials.
+constexpr double nearly_incompressible = 20, strong_contrast = 100;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-double largest_ratio(const mechanics::Scene& scene) {
+/// Of the materials that particles are made of. Collective.
+std::vector<materials::ElasticModuli> moduli_in_use(const mechanics::Scene& scene) {
+  std::vector<double> used(scene.materials().size(), 0.0);
+  for (LocalIndex i = 0; i < scene.owned(); ++i) used[static_cast<std::size_t>(scene.body().material[i])] = 1;
+  scene.body().communicator.max(used);
+  std::vector<materials::ElasticModuli> moduli;
+  for (std::size_t m = 0; m < used.size(); ++m)
+    if (used[m] > 0) moduli.push_back(scene.materials()[m]->elastic_moduli(scene.dimension()));
+  return moduli;
+}
+
+double largest_ratio(const std::vector<materials::ElasticModuli>& moduli) {
   double ratio = 0;
-  for (const auto& material : scene.materials()) {
-    const materials::ElasticModuli moduli = material->elastic_moduli(scene.dimension());
-    ratio = std::max(ratio, moduli.bulk / moduli.shear);
-  }
+  for (const materials::ElasticModuli& of : moduli) ratio = std::max(ratio, of.bulk / of.shear);
   return ratio;
+}
+
+/// Finer cells save iterations everywhere, but make a coarse solve as dear as a product over a lattice. Points of a
+/// cloud take two to three times as long.
+bool finer_cells_pay(const mechanics::Scene& scene) {
+  const std::vector<materials::ElasticModuli> moduli = moduli_in_use(scene);
+  const auto [low, high] =
+      std::minmax_element(moduli.begin(), moduli.end(), [](const auto& a, const auto& b) { return a.shear < b.shear; });
+  return !scene.lattice() || largest_ratio(moduli) > nearly_incompressible ||
+         high->shear > strong_contrast * low->shear;
 }
 
 /// Below two spacings a cell would have about as many unknowns as its particles.
 double cell_edge(const mechanics::Scene& scene, const TwoLevel::Settings& settings) {
-  double over_horizon = settings.cell;
-  if (largest_ratio(scene) > nearly_incompressible)
-    over_horizon = std::min(over_horizon, settings.cell_nearly_incompressible);
+  const double over_horizon = finer_cells_pay(scene) ? settings.finer_cell : settings.cell;
   const body::Body& body = scene.body();
   double volume = 0;
   for (LocalIndex i = 0; i < body.owned; ++i) volume += body.volume[i];
@@ -51,7 +67,7 @@ bool TwoLevel::worth_its_cost(const mechanics::Scene& scene) {
 double TwoLevel::dilatation_share(const mechanics::Scene& scene) {
   // Most fields that D has to deal with change no volume: with all of the dilatation it is too stiff for them. The best
   // shares found are 0.5 for kappa/mu = 50 (nu = 0.49) and 0.1 for 500 (0.499).
-  return std::min(1.0, std::pow(18 / largest_ratio(scene), 0.7));
+  return std::min(1.0, std::pow(18 / largest_ratio(moduli_in_use(scene)), 0.7));
 }
 
 TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene,
@@ -134,9 +150,10 @@ void TwoLevel::make_coarse() {
     double* block = matrix.block(static_cast<LocalIndex>(n), static_cast<LocalIndex>(n));
     for (int c = 0; c < matrix.dimension; ++c) block[c * (matrix.dimension + 1)] *= 1 + grounding;
   }
-  solver_ = nested_coarse_solver(scene_.body().communicator, grid_, std::move(matrix), settings_.smoothing,
-                                 settings_.factorised_up_to);
-  // Flow leaves a body soft in bands and along one direction at a point, which means over cells and directions miss.
+  solver_ = make_coarse_solver(scene_.body().communicator, grid_, std::move(matrix), settings_.smoothing,
+                               settings_.factorised_up_to);
+  // Flow leaves a body soft in bands and along one direction at a point: a cycle, whose levels take the mean over ever
+  // larger cells, solves for too little.
   double lost = 0, volume = 0;
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
     lost += shear_left_.empty() ? 0 : scene_.body().volume[i] * (1 - shear_left_[i]);
@@ -144,7 +161,7 @@ void TwoLevel::make_coarse() {
   }
   std::vector<double> sums{lost, volume};
   scene_.body().communicator.sum(sums);
-  weight_ = settings_.weight * (1 + sums[0] / sums[1]);
+  weight_ = settings_.weight * (solver_->exact() ? 1 : 1 + sums[0] / sums[1]);
   graph_ = nullptr;  // may hold a word a bond
 }
 

@@ -117,7 +117,7 @@ TEST(NestedNodes, CycleIsNearTheInverse) {
       double* block = nested.matrix.block(static_cast<LocalIndex>(n), static_cast<LocalIndex>(n));
       block[4 * c] *= nested.fine.place[n][2] == 0 ? 2 : 1 + 1e-6;
     }
-  const auto cycle = solve::nested_coarse_solver(nested.scene.body().communicator, nested.grid, nested.matrix, 2, 100);
+  const auto cycle = solve::make_coarse_solver(nested.scene.body().communicator, nested.grid, nested.matrix, 2, 100);
   EXPECT_EQ(cycle->unknowns(), 375);
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> entry(-1, 1);

@@ -77,46 +77,46 @@ TEST(TwoLevel, SymmetricAndPositiveDefinite) {
       preconditioner->multiply(w.data(), mw.data());
       preconditioner->multiply(z.data(), mz.data());
       const double size = std::sqrt(problem.dot(z, z) * problem.dot(mw, mw));
-      // Measured: 1e-17 to 1e-16 (factors), 1e-12 to 3e-12 (V-cycle, which is in single precision).
-      EXPECT_LT(std::abs(problem.dot(z, mw) - problem.dot(w, mz)) / size, factorised_up_to > 0 ? 1e-14 : 1e-10);
+      // Measured: 1e-17 to 1e-16 (factors), the same (V-cycle).
+      EXPECT_LT(std::abs(problem.dot(z, mw) - problem.dot(w, mz)) / size, 1e-14);
       EXPECT_GT(problem.dot(w, mw), 0);
     }
   }
 }
 
 TEST(TwoLevel, ElasticCountsDoNotGrow) {
-  EXPECT_LE(counted("cube 16", LinearProblem(held_cube(16))), 20);  // 17
+  EXPECT_LE(counted("cube 16", LinearProblem(held_cube(16))), 20);  // 18
   const LinearProblem cube(held_cube(24));
-  EXPECT_LE(counted("cube 24", cube), 20);  // 17
+  EXPECT_LE(counted("cube 24", cube), 20);  // 18
   solve::TwoLevel::Settings v_cycle;
   v_cycle.factorised_up_to = 0;
-  EXPECT_LE(counted("cube 24, V-cycle", cube, v_cycle), 20);  // 17
+  EXPECT_LE(counted("cube 24, V-cycle", cube, v_cycle), 20);  // 18
 }
 
 TEST(TwoLevel, HolesAndClouds) {
   EXPECT_LE(counted("perforated 16", LinearProblem(held_cube(16, 0.33, whole, perforated(16)))), 25);  // 21
-  EXPECT_LE(counted("perforated 24", LinearProblem(held_cube(24, 0.33, whole, perforated(24)))), 25);  // 22
+  EXPECT_LE(counted("perforated 24", LinearProblem(held_cube(24, 0.33, whole, perforated(24)))), 25);  // 20
   const std::string path = ::testing::TempDir() + "two_level_cloud.csv";
-  EXPECT_LE(counted("jittered 16", LinearProblem(held_cube(16, 0.33, "", jittered(16, path)))), 25);  // 18
+  EXPECT_LE(counted("jittered 16", LinearProblem(held_cube(16, 0.33, "", jittered(16, path)))), 20);  // 15
 }
 
 TEST(TwoLevel, CoarseFunctionsPartAtCracks) {
-  EXPECT_LE(counted("crack 16", LinearProblem(held_cube(16, 0.33, half_crack(16)))), 25);  // 24
-  EXPECT_LE(counted("crack 24", LinearProblem(held_cube(24, 0.33, half_crack(24)))), 25);  // 20
+  EXPECT_LE(counted("crack 16", LinearProblem(held_cube(16, 0.33, half_crack(16)))), 25);  // 25
+  EXPECT_LE(counted("crack 24", LinearProblem(held_cube(24, 0.33, half_crack(24)))), 25);  // 21
 }
 
 TEST(TwoLevel, TwoMaterials) {
-  EXPECT_LE(counted("contrast 16", LinearProblem(held_cube(16, 0.33, "", two_blocks(16)))), 40);  // 22
-  EXPECT_LE(counted("contrast 24", LinearProblem(held_cube(24, 0.33, "", two_blocks(24)))), 40);  // 27
+  EXPECT_LE(counted("contrast 16", LinearProblem(held_cube(16, 0.33, "", two_blocks(16)))), 30);  // 21
+  EXPECT_LE(counted("contrast 24", LinearProblem(held_cube(24, 0.33, "", two_blocks(24)))), 30);  // 26
 }
 
 TEST(TwoLevel, NearlyIncompressible) {
-  EXPECT_LE(counted("nu 0.45, 16", LinearProblem(held_cube(16, 0.45, whole))), 30);     // 23
-  EXPECT_LE(counted("nu 0.49, 16", LinearProblem(held_cube(16, 0.49, whole))), 40);     // 36
-  EXPECT_LE(counted("nu 0.49, 24", LinearProblem(held_cube(24, 0.49, whole))), 40);     // 40
-  EXPECT_LE(counted("nu 0.49, 32", LinearProblem(held_cube(32, 0.49, whole))), 40);     // 40
-  EXPECT_LE(counted("nu 0.499, 16", LinearProblem(held_cube(16, 0.499, whole))), 95);   // 90
-  EXPECT_LE(counted("nu 0.499, 24", LinearProblem(held_cube(24, 0.499, whole))), 108);  // 104
+  EXPECT_LE(counted("nu 0.45, 16", LinearProblem(held_cube(16, 0.45, whole))), 30);     // 22
+  EXPECT_LE(counted("nu 0.49, 16", LinearProblem(held_cube(16, 0.49, whole))), 40);     // 33
+  EXPECT_LE(counted("nu 0.49, 24", LinearProblem(held_cube(24, 0.49, whole))), 40);     // 37
+  EXPECT_LE(counted("nu 0.49, 32", LinearProblem(held_cube(32, 0.49, whole))), 40);     // 38
+  EXPECT_LE(counted("nu 0.499, 16", LinearProblem(held_cube(16, 0.499, whole))), 90);   // 85
+  EXPECT_LE(counted("nu 0.499, 24", LinearProblem(held_cube(24, 0.499, whole))), 101);  // 96
 }
 
 TEST(TwoLevel, PositionAware) {
@@ -128,14 +128,14 @@ TEST(TwoLevel, PositionAware) {
     return LinearProblem(held_cube(n, ratio, "quadrature: position-aware\n", body));
   };
   EXPECT_LE(counted("position-aware, perforated 16", fitted(16, 0.33, perforated(16))), 30);  // 28; whole: 21
-  EXPECT_LE(counted("position-aware, perforated 24", fitted(24, 0.33, perforated(24))), 27);  // 25; whole: 22
-  EXPECT_LE(counted("position-aware, nu 0.49, 16", fitted(16, 0.49)), 45);                    // 42; whole: 36
-  EXPECT_LE(counted("position-aware, nu 0.49, 24", fitted(24, 0.49)), 47);                    // 44; whole: 40
-  EXPECT_LE(counted("position-aware, nu 0.499, 16", fitted(16, 0.499)), 115);                 // 109; whole: 90
+  EXPECT_LE(counted("position-aware, perforated 24", fitted(24, 0.33, perforated(24))), 27);  // 24; whole: 20
+  EXPECT_LE(counted("position-aware, nu 0.49, 16", fitted(16, 0.49)), 40);                    // 36; whole: 33
+  EXPECT_LE(counted("position-aware, nu 0.49, 24", fitted(24, 0.49)), 40);                    // 38; whole: 37
+  EXPECT_LE(counted("position-aware, nu 0.499, 16", fitted(16, 0.499)), 103);                 // 98; whole: 85
   const std::string path = ::testing::TempDir() + "two_level_fitted_cloud.csv";
   EXPECT_LE(counted("position-aware, jittered 16",
                     LinearProblem(held_cube(16, 0.33, "quadrature: position-aware\n", jittered(16, path)))),
-            25);
+            20);  // 15
 }
 
 TEST(TwoLevel, HeldAtFourPoints) {
@@ -143,7 +143,7 @@ TEST(TwoLevel, HeldAtFourPoints) {
   yaml.replace(yaml.find("foot: {where: \"z < 3\"}"), 22, "foot: {ids: [0, 15, 240, 3848]}");
   yaml.replace(yaml.find("  - {set: head"), yaml.find("steps:") - yaml.find("  - {set: head"),
                "  - {set: all, force: {z: \"t\"}}\n");
-  EXPECT_LE(counted("held at four points", LinearProblem(yaml)), 30);  // 24
+  EXPECT_LE(counted("held at four points", LinearProblem(yaml)), 30);  // 26
 }
 
 TEST(TwoLevel, Plates) {
@@ -160,7 +160,7 @@ boundary:
 steps: {{end: 1, count: 1}}
 )",
                                          kind);
-    EXPECT_LE(counted(kind, LinearProblem(yaml)), 20);  // 16
+    EXPECT_LE(counted(kind, LinearProblem(yaml)), 20);  // 16, 16
   }
 }
 
@@ -177,7 +177,7 @@ TEST(TwoLevel, PlasticPath) {
     iterations += step.linear_iterations;
   }
   std::printf("plastic path: %.1f iterations a solve, %d solves\n", static_cast<double>(iterations) / solves, solves);
-  EXPECT_LE(iterations, 35 * solves);  // 20.8 a solve
+  EXPECT_LE(iterations, 25 * solves);  // 20.3 a solve
 }
 
 TEST(TwoLevel, CoarseMatrixFollowsPlasticFlow) {

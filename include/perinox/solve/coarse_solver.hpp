@@ -14,6 +14,8 @@ class CoarseSolver {
   /// right: this rank's share, adds up over the ranks; solution: at this rank's nodes. [CoarseGrid::unknowns()].
   /// Collective.
   virtual void solve(const double* right, double* solution) = 0;
+  /// True if solve() leaves no error.
+  virtual bool exact() const = 0;
   /// Unknowns over all ranks.
   virtual long long unknowns() const = 0;
   /// Held on this rank.
@@ -25,10 +27,10 @@ class CoarseSolver {
 std::unique_ptr<CoarseSolver> factorised_coarse_solver(const Communicator& ranks, const std::vector<GlobalId>& node_ids,
                                                        const CoarseMatrix& matrix);
 
-/// One V-cycle over the grid and every second, fourth, ... node of it (Nesting), with Chebyshev smoothers of the given
-/// degree in single precision. The first level of at most factorised_up_to unknowns is factorised: it may be the grid
-/// itself. Collective.
-std::unique_ptr<CoarseSolver> nested_coarse_solver(const Communicator& ranks, const CoarseGrid& grid,
-                                                   CoarseMatrix matrix, int smoothing, long long factorised_up_to);
+/// Factors of systems of at most factorised_up_to unknowns; else one V-cycle over the grid and every second, fourth,
+/// ... node of it (Nesting), with Chebyshev smoothers of the given degree and factors of the first level that is small
+/// enough. Collective.
+std::unique_ptr<CoarseSolver> make_coarse_solver(const Communicator& ranks, const CoarseGrid& grid, CoarseMatrix matrix,
+                                                 int smoothing, long long factorised_up_to);
 
 }  // namespace perinox::solve

@@ -21,7 +21,7 @@ struct Nesting {
   GridNodes coarse;
   std::vector<std::size_t> parent_begin;  ///< [fine nodes + 1]
   std::vector<LocalIndex> parent;         ///< local coarse nodes
-  std::vector<float> weight;              ///< of each parent, sum 1 over a node's parents
+  std::vector<double> weight;             ///< of each parent, sum 1 over a node's parents
 };
 
 /// joined: a matrix over the fine nodes whose pattern says what is tied together on this rank. Collective.

@@ -6,12 +6,14 @@
 
 namespace perinox::solve {
 
-/// A matrix of blocks over nodes in single precision, and Chebyshev's smoother of it in the scale of its diagonal
-/// blocks. Vectors have four numbers a node, of which the first `dimension` count and the others are zero. A share adds
-/// up over the ranks; anything else is the same on all ranks that hold a node.
+/// A matrix of blocks over nodes, and Chebyshev's smoother of it in the scale of its diagonal blocks. The blocks are
+/// kept in single precision, which is all the time their reading takes; everything is computed in double precision, or
+/// GMRES would not find the smoother linear enough near a limit point. Vectors have four numbers a node, of which the
+/// first `dimension` count and the others are zero. A share adds up over the ranks; anything else is the same on all
+/// ranks that hold a node.
 class NodeSmoother {
  public:
-  using Vector = std::vector<float>;
+  using Vector = std::vector<double>;
 
   /// matrix: this rank's share. degree: products a smoothing, from a guess that is not zero. ratio: of the largest
   /// eigenvalue to the lowest one that it shall treat. id: of the nodes. Collective.
@@ -31,9 +33,9 @@ class NodeSmoother {
   const SharedNodes& shared_;
   int dimension_, degree_;
   std::vector<LocalIndex> begin_, column_;
-  Vector blocks_;            ///< [blocks][dimension] columns of four
-  Vector inverse_diagonal_;  ///< [nodes][dimension] columns of four
-  float lowest_ = 0, highest_ = 0;
+  std::vector<float> blocks_;  ///< [blocks][dimension] columns of four
+  Vector inverse_diagonal_;    ///< [nodes][dimension] columns of four
+  double lowest_ = 0, highest_ = 0;
   mutable Vector work_, direction_, scaled_;
 };
 

@@ -18,7 +18,6 @@ class SharedNodes {
   const std::vector<char>& counted() const { return counted_; }
 
   /// Every rank's shares become their sum, added up in the order of the ranks. [nodes * width] Collective.
-  void sum(float* values, int width) const { exchange(values, width, MPI_FLOAT, Sum()); }
   void sum(double* values, int width) const { exchange(values, width, MPI_DOUBLE, Sum()); }
   /// The lowest of the ranks' values. Collective.
   void lowest(long long* values, int width) const { exchange(values, width, MPI_LONG_LONG, Lowest()); }

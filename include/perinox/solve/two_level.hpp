@@ -15,20 +15,20 @@ namespace perinox::solve {
 class TwoLevel : public OwnedOperator {
  public:
   struct Settings {
-    double cell = 1;                           ///< edge of the grid's cells over the horizon; two spacings at least
-    double cell_nearly_incompressible = 0.67;  ///< the same, where a material has kappa/mu above 20 (nu about 0.476)
-    double bulk_limit = 8;                     ///< see coarse_elasticity
-    double spring = 1;                         ///< scale of the springs that stand for prescribed unknowns
-    double softening = 0.1;                    ///< mean change of shear_left at which A_c is made anew
-    double weight = 1;                         ///< of the coarse term, where nothing flows
-    int smoothing = 3;                         ///< degree of the V-cycle's Chebyshev smoothers
-    long long factorised_up_to = 700;          ///< coarse unknowns up to which they are factorised
+    double cell = 1;           ///< edge of the grid's cells over the horizon; two spacings at least
+    double finer_cell = 0.67;  ///< the same for clouds, for kappa/mu above 20 and for moduli of ratios above 100
+    double bulk_limit = 8;     ///< see coarse_elasticity
+    double spring = 1;         ///< scale of the springs that stand for prescribed unknowns
+    double softening = 0.1;    ///< mean change of shear_left at which A_c is made anew
+    double weight = 1;         ///< of the coarse term, where nothing flows
+    int smoothing = 3;         ///< degree of the V-cycle's Chebyshev smoothers
+    long long factorised_up_to = 2500;  ///< coarse unknowns up to which they are factorised
   };
 
   /// False for a body of two cells at most on every axis: D alone does as well there. Collective.
   static bool worth_its_cost(const mechanics::Scene& scene);
 
-  /// What of the tangent's stiffness against dilatation belongs in the diagonal blocks given to set().
+  /// What of the tangent's stiffness against dilatation belongs in the diagonal blocks given to set(). Collective.
   static double dilatation_share(const mechanics::Scene& scene);
 
   /// prescribed: [local * dimension], ghosts up to date; kept by reference, as is the scene. Collective.
