@@ -30,7 +30,7 @@ double next_forcing(const deck::Solver& settings, const NewtonIteration& last, d
     forcing = std::min(loosest, 0.9 * std::pow(progress, 1.5));
   }
   // Never more than what convergence still needs: the last linear solve of a step is the dearest.
-  const double needed = 0.3 * settings.newton.tolerance / last.relative_residual;
+  const double needed = 0.2 * settings.newton.tolerance / last.relative_residual;
   return std::min(loosest, std::max({forcing, needed, tightest}));
 }
 

@@ -119,7 +119,10 @@ HandOver::Result HandOver::run(mechanics::Committed& state, Observer& observer, 
       break;
     }
     if (motion_->time() - last_break_ >= quiet && motion_->time() >= quiet) {
-      if (let_loose_go(observer)) last_break_ = motion_->time();
+      if (let_loose_go(observer)) {
+        last_break_ = motion_->time();
+        motion_->gather_sums();  // what went with them, before a checkpoint has the sum
+      }
       if (motion_->energies().moving <= said.kinetic_share / patience_ * most_stored_) {
         result_.at_rest = true;
         break;
