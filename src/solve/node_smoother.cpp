@@ -11,7 +11,8 @@ namespace perinox::solve {
 namespace {
 
 constexpr int power_iterations = 12;
-/// The power iteration's estimate is from below.
+/// The power iteration's estimate is from below, by 4 to 7 % (cubes, cracks, holes, contrasts to 1e6, clouds, bars, nu
+/// to 0.499). The cycle stays definite as long as the largest eigenvalue is at most 1.05 of what is taken for it.
 constexpr double estimate_margin = 1.1;
 
 typedef double Four __attribute__((vector_size(32), aligned(8), may_alias));
