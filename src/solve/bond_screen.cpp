@@ -5,12 +5,7 @@
 #include <cstring>
 #include <limits>
 
-// The widest vectors that the machine has are chosen when the program starts.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define PERINOX_WIDEST __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define PERINOX_WIDEST
-#endif
+#include "perinox/core/widest.hpp"
 
 namespace perinox::solve {
 

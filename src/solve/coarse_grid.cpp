@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "perinox/core/widest.hpp"
 #include "perinox/solve/coarse_pieces.hpp"
 
 namespace perinox::solve {
@@ -148,17 +149,12 @@ inline __attribute__((always_inline)) void add_monomials(const Points& p, const 
   }
 }
 
-#if defined(__x86_64__)
-#define PERINOX_FOR_EACH_MACHINE __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define PERINOX_FOR_EACH_MACHINE
-#endif
-PERINOX_FOR_EACH_MACHINE void sum_3(const Points& p, const double* r, double* sums) { sum_monomials<3>(p, r, sums); }
-PERINOX_FOR_EACH_MACHINE void sum_2(const Points& p, const double* r, double* sums) { sum_monomials<2>(p, r, sums); }
-PERINOX_FOR_EACH_MACHINE void add_3(const Points& p, const double* coefficients, double* z) {
+PERINOX_WIDEST void sum_3(const Points& p, const double* r, double* sums) { sum_monomials<3>(p, r, sums); }
+PERINOX_WIDEST void sum_2(const Points& p, const double* r, double* sums) { sum_monomials<2>(p, r, sums); }
+PERINOX_WIDEST void add_3(const Points& p, const double* coefficients, double* z) {
   add_monomials<3>(p, coefficients, z);
 }
-PERINOX_FOR_EACH_MACHINE void add_2(const Points& p, const double* coefficients, double* z) {
+PERINOX_WIDEST void add_2(const Points& p, const double* coefficients, double* z) {
   add_monomials<2>(p, coefficients, z);
 }
 

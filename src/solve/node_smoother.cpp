@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "perinox/core/widest.hpp"
+
 namespace perinox::solve {
 
 namespace {
@@ -43,19 +45,12 @@ inline __attribute__((always_inline)) void subtract_product(std::size_t nodes, c
   }
 }
 
-#if defined(__x86_64__)
-#define PERINOX_FOR_EACH_MACHINE __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define PERINOX_FOR_EACH_MACHINE
-#endif
-PERINOX_FOR_EACH_MACHINE void subtract_product_3(std::size_t nodes, const LocalIndex* begin, const LocalIndex* column,
-                                                 const float* blocks, const double* right, const double* x,
-                                                 double* left) {
+PERINOX_WIDEST void subtract_product_3(std::size_t nodes, const LocalIndex* begin, const LocalIndex* column,
+                                       const float* blocks, const double* right, const double* x, double* left) {
   subtract_product<3>(nodes, begin, column, blocks, right, x, left);
 }
-PERINOX_FOR_EACH_MACHINE void subtract_product_2(std::size_t nodes, const LocalIndex* begin, const LocalIndex* column,
-                                                 const float* blocks, const double* right, const double* x,
-                                                 double* left) {
+PERINOX_WIDEST void subtract_product_2(std::size_t nodes, const LocalIndex* begin, const LocalIndex* column,
+                                       const float* blocks, const double* right, const double* x, double* left) {
   subtract_product<2>(nodes, begin, column, blocks, right, x, left);
 }
 
