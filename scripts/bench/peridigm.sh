@@ -58,7 +58,7 @@ measure_peridigm_scenes() {
     for n in "${compared[@]}"; do
       peridigm_deck "$scene" "$n" 1e-6 >"$deck"
       for ((k = 0; k < repeats; ++k)); do one_run "$scene" "$n" 1 automatic "$deck"; done |
-        sort -t $'\t' -k 13,13n | awk -v middle="$(((repeats + 1) / 2))" 'NR == middle' >>"$measured/peridigm.tsv"
+        sort -t $'\t' -k 16,16n | awk -v middle="$(((repeats + 1) / 2))" 'NR == middle' >>"$measured/peridigm.tsv"
     done
     peridigm_deck "$scene" 10 1e-9 >"$deck"
     rm -rf "$scratch/results"
@@ -70,6 +70,7 @@ measure_peridigm_scenes() {
 }
 
 peridigm_tables() {
+  printf 'CPU seconds are those of the user, without the system, on both sides.\n\n'
   printf '| scene | n | Newton | linear | CPU, s | MB | Peridigm: Newton | CPU, s | MB | its CPU over ours | '
   printf 'full tangent: Newton | CPU, s | MB |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n'
   peridigm_figures | awk -F '\t' '
@@ -77,9 +78,9 @@ peridigm_tables() {
                      full[$1, $2] = $8 " | " $6 " | " $7; next}
     {
       known = ($1, $2) in cpu
-      printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", $1, $2, $6, $7, $13,
+      printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", $1, $2, $6, $7, $16,
         ($15 > 0 ? $15 : "not known"), (known ? newton[$1, $2] : "-"), (known ? cpu[$1, $2] : "-"),
-        (known ? memory[$1, $2] : "-"), (known && $13 > 0 ? sprintf("%.1f", cpu[$1, $2] / $13) : "-"),
+        (known ? memory[$1, $2] : "-"), (known && $16 > 0 ? sprintf("%.1f", cpu[$1, $2] / $16) : "-"),
         (known ? full[$1, $2] : "- | - | -")
     }' - "$measured/peridigm.tsv"
   printf '\nReaction of the moved end, n = 10, ours to a tolerance of 1e-9:\n\n'

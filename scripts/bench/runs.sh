@@ -33,8 +33,8 @@ $more
 DECK
 }
 
-# timed RANKS COMMAND ...: runs it and leaves "CPU seconds, wall seconds, peak memory in MB" of all ranks, without
-# mpirun's own, in $scratch/cost. The memory of ranks is summed.
+# timed RANKS COMMAND ...: runs it and leaves "CPU seconds, wall seconds, peak memory in MB, CPU seconds without the
+# system's" of all ranks, without mpirun's own, in $scratch/cost. The memory of ranks is summed.
 timed() {
   local ranks=$1 launch=() begin
   shift
@@ -48,7 +48,8 @@ timed() {
     { time "${launch[@]}" "$@" >"$scratch/said" 2>&1; } 2>"$scratch/times"
   fi || { cat "$scratch/said" >&2 && stop "this run failed: $*"; }
   awk -v wall="$(awk -v a="$begin" -v b="$EPOCHREALTIME" 'BEGIN {print b - a}')" '
-    {cpu += $1 + $2; memory += $3 * 1.024e-3} END {printf "%.2f\t%.2f\t%.0f\n", cpu, wall, memory}' \
+    {cpu += $1 + $2; user += $1; memory += $3 * 1.024e-3}
+    END {printf "%.2f\t%.2f\t%.0f\t%.2f\n", cpu, wall, memory, user}' \
     "$scratch/times" >"$scratch/cost"
 }
 
@@ -66,7 +67,7 @@ sums_of() {
 }
 
 # one_run SCENE N RANKS WAY DECK [OPTION ...]: a row of runs.tsv: scene, n, ranks, way, steps, Newton, linear, products,
-# seconds in product, preconditioner, halo, yielded, CPU seconds, wall seconds, MB.
+# seconds in product, preconditioner, halo, yielded, CPU seconds, wall seconds, MB, CPU seconds without the system's.
 one_run() {
   local scene=$1 n=$2 ranks=$3 way=$4 deck=$5
   shift 5

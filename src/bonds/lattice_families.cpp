@@ -142,7 +142,13 @@ void LatticeFamilies::places(LocalIndex i, std::vector<Place>& places) const {
   places.clear();
   for (int o = 0; o < static_cast<int>(offsets_.size()); ++o)
     for (const bool far : {false, true})
-      visit_end(grid_.cell[i], o, far, [&](const Place& place) { places.push_back(place); });
+      visit_end(grid_.cell[i], end(o, far), [&](const Place& place) { places.push_back(place); });
+}
+
+LatticeFamilies::End LatticeFamilies::end(int offset, bool far) const {
+  const std::array<int, 3>& step = offsets_[static_cast<std::size_t>(offset)].step;
+  const std::int64_t ahead = step[0] + step[1] * grid_.row + step[2] * grid_.plane;
+  return {far ? -ahead : ahead, far ? -ahead : 0, offset, far};
 }
 
 std::size_t LatticeFamilies::bytes() const {

@@ -6,6 +6,7 @@
 #include "evaluation.hpp"
 #include "perinox/core/restored.hpp"
 #include "perinox/mechanics/state.hpp"
+#include "plastic_lists.hpp"
 
 namespace perinox::mechanics {
 
@@ -64,9 +65,12 @@ void Committed::save(const Scene& scene, StateWriter& writer) const {
   std::vector<int> count(static_cast<std::size_t>(scene.owned()), 0);
   for (std::size_t i = 0; i < flowed.size(); ++i)
     if (flowed[i]) count[i] = scene.families().size[i];
+  std::unique_ptr<PlasticLists> lists;  // made only for a writer that asks for values
   writer.lists("state/plastic_extension", count,
                [&](const std::vector<LocalIndex>& particles, std::vector<double>& values) {
-                 plastic_->read(scene, particles, values);
+                 if (particles.empty()) return;
+                 if (!lists) lists = std::make_unique<PlasticLists>(scene);
+                 lists->read(*plastic_, particles, values);
                });
 }
 
@@ -109,9 +113,10 @@ void Committed::restore(const Scene& scene, StateReader& reader) {
     scene.evaluation().loops().advance(displacement_.data(), mean_.data(), flowed.data(), *plastic_);
     plastic_->mark(flowed);
   }
+  PlasticLists lists(scene);
   reader.lists("state/plastic_extension",
                [&](const std::vector<LocalIndex>& particles, const std::vector<double>& values) {
-                 plastic_->write(scene, particles, values);
+                 lists.write(*plastic_, particles, values);
                });
 }
 

@@ -43,11 +43,11 @@ class Counting : public StateWriter {
     bytes_ += overhead + static_cast<double>(value.size());
   }
   void particles(const std::string&, const double*, int components) override {
-    bytes_ += overhead;
+    bytes_ += overhead + block;
     columns_ += components;
   }
   void lists(const std::string&, const std::vector<int>& count, const Source&) override {
-    bytes_ += 2 * overhead;
+    bytes_ += 2 * overhead + 2 * block;
     columns_ += 0.5;
     for (const int length : count) mine_ += length;
   }
@@ -57,6 +57,7 @@ class Counting : public StateWriter {
 
  private:
   static constexpr double overhead = 1024;  ///< HDF5's own for an object, amply
+  static constexpr double block = 512;      ///< datasets begin on one
   Communicator communicator_;
   double bytes_ = 0, columns_ = 0, mine_ = 0;
 };
@@ -138,8 +139,7 @@ void CheckpointWriter::write(const CheckpointHead& head, const std::function<voi
   const Communicator& communicator = plan_->communicator;
   const std::string temporary = path_ + ".part";
   try {
-    fill(head, save, temporary);
-    seal(temporary);
+    seal(temporary, fill(head, save, temporary));
   } catch (const RunError& error) {
     if (communicator.is_root()) ::unlink(temporary.c_str());
     throw RunError(fmt::format("the checkpoint of step {} cannot be written, the last one is left as it is: {}",
@@ -147,8 +147,9 @@ void CheckpointWriter::write(const CheckpointHead& head, const std::function<voi
   }
 }
 
-void CheckpointWriter::fill(const CheckpointHead& head, const std::function<void(StateWriter&)>& save,
-                            const std::string& temporary) {
+std::vector<KnownShare> CheckpointWriter::fill(const CheckpointHead& head,
+                                               const std::function<void(StateWriter&)>& save,
+                                               const std::string& temporary) {
   const Communicator& communicator = plan_->communicator;
   Counting counting(communicator);
   save(counting);
@@ -170,13 +171,14 @@ void CheckpointWriter::fill(const CheckpointHead& head, const std::function<void
   Writing writing(file, plan_->order, plan_->lists);
   save(writing);
   file.close();
+  return file.filled();
 }
 
-void CheckpointWriter::seal(const std::string& temporary) {
+void CheckpointWriter::seal(const std::string& temporary, const std::vector<KnownShare>& known) {
   const Communicator& communicator = plan_->communicator;
   std::error_code ignored;
   const std::uint64_t bytes = std::filesystem::file_size(temporary, ignored);
-  const std::uint64_t sum = file_checksum(temporary, seal_bytes, bytes, communicator);
+  const std::uint64_t sum = file_checksum(temporary, seal_bytes, bytes, communicator, known);
   // On another machine than rank 0's, what a rank has written is its own system's to bring to the disk.
   std::string reason = communicator.size() > 1 && !communicator.is_root() ? sync_to_disk(temporary) : "";
   agree_on_run_error(communicator, reason.empty() ? "" : temporary + " could not be brought to the disk: " + reason);

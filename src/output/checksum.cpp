@@ -67,15 +67,26 @@ std::uint64_t checksum(const void* data, std::size_t bytes, std::uint64_t first_
 }
 
 std::uint64_t file_checksum(const std::string& path, std::uint64_t begin, std::uint64_t end,
-                            const Communicator& communicator) {
-  const std::uint64_t words = (end - begin + word_bytes - 1) / word_bytes;
+                            const Communicator& communicator, const std::vector<KnownShare>& known) {
   const auto rank = static_cast<std::uint64_t>(communicator.rank()),
              ranks = static_cast<std::uint64_t>(communicator.size());
-  const std::uint64_t first = words / ranks * rank + std::min(rank, words % ranks);
-  const std::uint64_t last = first + words / ranks + (rank < words % ranks ? 1 : 0);
-  std::uint64_t sum = 0;
-  agree_on_run_error(communicator,
-                     add_share(path, begin + first * word_bytes, std::min(end, begin + last * word_bytes), first, sum));
+  std::uint64_t sum = 0, from = begin;
+  std::string failure;
+  const auto add = [&](std::uint64_t to) {
+    const std::uint64_t words = (to - from + word_bytes - 1) / word_bytes;
+    const std::uint64_t first = words / ranks * rank + std::min(rank, words % ranks);
+    const std::uint64_t last = first + words / ranks + (rank < words % ranks ? 1 : 0);
+    if (first < last && failure.empty())
+      failure = add_share(path, from + first * word_bytes, std::min(to, from + last * word_bytes),
+                          (from - begin) / word_bytes + first, sum);
+  };
+  for (const KnownShare& share : known) {
+    add(share.begin);
+    sum += share.checksum;
+    from = share.end;
+  }
+  add(end);
+  agree_on_run_error(communicator, failure);
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, communicator.mpi());
   return sum;
 }

@@ -29,19 +29,24 @@ Handle memory_space(int rows, int columns) {
   return {H5Screate_simple(columns == 0 ? 1 : 2, extent.data(), nullptr), H5Sclose};
 }
 
-Handle collective_transfer() {
+Handle collective_transfer(const Communicator& communicator) {
   const hid_t list = H5Pcreate(H5P_DATASET_XFER);
-  H5Pset_dxpl_mpio(list, H5FD_MPIO_COLLECTIVE);
+  if (communicator.size() > 1) H5Pset_dxpl_mpio(list, H5FD_MPIO_COLLECTIVE);
   return {list, H5Pclose};
 }
 
-herr_t no_close(hid_t) { return 0; }
+/// Words of 8 bytes in large datasets are words of the file. HDF5 wants no more than the user block has.
+constexpr hsize_t large = 4096, block = 512;
 
-/// A rank that reads alone needs no MPI-IO, whose opening of a file costs more than a small checkpoint's content.
+/// One rank needs no MPI-IO, whose opening of a file costs more than a small checkpoint's content. Files are not
+/// locked, as MPI-IO does not: a viewer may have results open that a run goes on writing.
 Handle access_for(const Communicator& communicator, ParallelFile::Mode mode) {
   const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
-  if (communicator.size() > 1 || mode != ParallelFile::Mode::read)
+  if (communicator.size() > 1)
     H5Pset_fapl_mpio(list, communicator.mpi(), MPI_INFO_NULL);
+  else
+    H5Pset_file_locking(list, 0, 1);
+  if (mode == ParallelFile::Mode::create) H5Pset_alignment(list, large, block);
   return {list, H5Pclose};
 }
 
@@ -62,7 +67,7 @@ Handle text_type() {
 }  // namespace
 
 ParallelFile::ParallelFile(std::string path, const Communicator& communicator, Mode mode, int user_block)
-    : path_(std::move(path)), communicator_(communicator) {
+    : path_(std::move(path)), communicator_(communicator), user_block_(user_block) {
   const Silence silence;
   const Handle access = access_for(communicator_, mode);  // closed last: every call clears the reason of a failure
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
@@ -111,7 +116,7 @@ void ParallelFile::write_table(const std::string& dataset, const void* values, i
   agree(table.failed(), "refuses the dataset " + dataset);
   select_rows(space, first, rows, columns);
   const Handle memory = memory_space(rows, columns);
-  const Handle transfer = collective_transfer();
+  const Handle transfer = collective_transfer(communicator_);
   agree(H5Dwrite(table, type, memory, space, transfer, values) < 0, "could not be written, dataset " + dataset);
 }
 
@@ -145,7 +150,7 @@ void ParallelFile::read_table(const std::string& dataset, void* values, int rows
                                               (columns == 0 ? "]" : ", " + std::to_string(columns) + "]"));
   select_rows(space, first, rows, columns);
   const Handle memory = memory_space(rows, columns);
-  const Handle transfer = communicator_.size() > 1 ? collective_transfer() : Handle(H5P_DEFAULT, no_close);
+  const Handle transfer = collective_transfer(communicator_);
   agree(H5Dread(table, type, memory, space, transfer, values) < 0, "could not be read, dataset " + dataset);
 }
 
@@ -166,23 +171,37 @@ void ParallelFile::make_list(const std::string& dataset, GlobalId total) {
   const Silence silence;
   const auto extent = static_cast<hsize_t>(total);
   const Handle space(H5Screate_simple(1, &extent, nullptr), H5Sclose);
-  const Handle list(H5Dcreate2(file_, dataset.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+  const Handle at_once(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_alloc_time(at_once, H5D_ALLOC_TIME_EARLY);
+  H5Pset_fill_time(at_once, H5D_FILL_TIME_NEVER);
+  const Handle list(H5Dcreate2(file_, dataset.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, at_once, H5P_DEFAULT),
                     H5Dclose);
   agree(list.failed(), "refuses the dataset " + dataset);
 }
 
-// Portions are large and in one piece on every rank: nothing to be gained by handing them to fewer writers first.
-void ParallelFile::write_part(const std::string& dataset, const std::vector<double>& values, GlobalId first) {
+Stretch ParallelFile::list_stretch(const std::string& dataset, GlobalId first, std::size_t count) {
   const Silence silence;
   const Handle list(H5Dopen2(file_, dataset.c_str(), H5P_DEFAULT), H5Dclose);
-  bool failed = list.failed();
-  if (!failed && !values.empty()) {
-    const Handle space(H5Dget_space(list), H5Sclose);
-    select_rows(space, first, static_cast<int>(values.size()), 0);
-    const Handle memory = memory_space(static_cast<int>(values.size()), 0);
-    failed = H5Dwrite(list, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()) < 0;
-  }
-  agree(failed, "could not be written, dataset " + dataset);
+  const haddr_t place = list.failed() ? HADDR_UNDEF : H5Dget_offset(list);
+  agree(place == HADDR_UNDEF, "has no place for the dataset " + dataset);
+  const std::uint64_t behind_block = place - static_cast<std::uint64_t>(user_block_);
+  const auto size = static_cast<std::uint64_t>(H5Dget_storage_size(list));
+  filled_.push_back({place, place + size, 0});
+  const std::uint64_t before = static_cast<std::uint64_t>(first) * sizeof(double);
+  return {path_, place + before, count * sizeof(double), (behind_block + before) / sizeof(double)};
+}
+
+void ParallelFile::close_list(Stretch& stretch) {
+  agree_on_run_error(communicator_, stretch.finish());
+  KnownShare& last = filled_.back();
+  last.checksum = stretch.checksum();
+  if ((last.begin - static_cast<std::uint64_t>(user_block_)) % sizeof(double) != 0) filled_.pop_back();
+}
+
+std::vector<KnownShare> ParallelFile::filled() const {
+  std::vector<KnownShare> ordered = filled_;
+  std::sort(ordered.begin(), ordered.end(), [](const auto& a, const auto& b) { return a.begin < b.begin; });
+  return ordered;
 }
 
 GlobalId ParallelFile::list_size(const std::string& dataset) const {

@@ -74,11 +74,12 @@ void RowLists::write(ParallelFile& file, const std::string& name, const std::vec
   const std::vector<int> row_count = order_.to_rows(count.data());
   file.write_rows(name + "/count", row_count, order_.total(), order_.first_row());
   const GlobalId mine = std::accumulate(row_count.begin(), row_count.end(), GlobalId{0});
-  GlobalId place = communicator_.exclusive_scan(mine);
   const GlobalId total = communicator_.sum(mine);
   file.make_list(name + "/values", total);
   if (total == 0) return;
-  std::vector<double> values, arrived, rows;
+  const GlobalId place = communicator_.exclusive_scan(mine);
+  Stretch stretch = file.list_stretch(name + "/values", place, static_cast<std::size_t>(mine));
+  std::vector<double> values, arrived;
   for (int number = 0; number < portions_; ++number) {
     const Portion part = plan(number, count, row_count);
     values.clear();
@@ -86,8 +87,7 @@ void RowLists::write(ParallelFile& file, const std::string& name, const std::vec
     source(part.particles, values);
     values.resize(part.owned_values);
     if (communicator_.size() == 1) {  // in ascending ids as they are
-      file.write_part(name + "/values", values, place);
-      place += static_cast<GlobalId>(values.size());
+      stretch.append(values.data(), values.size());
       continue;
     }
     arrived.resize(part.row_values);
@@ -95,18 +95,15 @@ void RowLists::write(ParallelFile& file, const std::string& name, const std::vec
     MPI_Alltoallv(values.data(), part.to_rows.data(), sent.data(), MPI_DOUBLE, arrived.data(), part.to_owners.data(),
                   received.data(), MPI_DOUBLE, communicator_.mpi());
     // Each owner's lists have come in ascending ids.
-    rows.clear();
-    rows.reserve(part.row_values);
     std::vector<int> next = received;
     for (int row = part.first_row; row < part.last_row; ++row) {
       int& from = next[static_cast<std::size_t>(owner_[static_cast<std::size_t>(row)])];
       const int length = row_count[static_cast<std::size_t>(row)];
-      rows.insert(rows.end(), arrived.begin() + from, arrived.begin() + from + length);
+      stretch.append(arrived.data() + from, static_cast<std::size_t>(length));
       from += length;
     }
-    file.write_part(name + "/values", rows, place);
-    place += static_cast<GlobalId>(rows.size());
   }
+  file.close_list(stretch);
 }
 
 void RowLists::refuse_unfit(const ParallelFile& file, const std::string& name,

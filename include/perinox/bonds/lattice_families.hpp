@@ -55,10 +55,19 @@ class LatticeFamilies {
   };
   /// All bonds of particle i, in no particular order. Replaces what is in `places`.
   void places(LocalIndex i, std::vector<Place>& places) const;
-  /// visit(place) for the bonds of particle i in the order of `ends`: numbers 2 offset, and 2 offset + 1 for the
-  /// reverse.
+  /// One end of an offset's bonds, as seen from the particle that has it.
+  struct End {
+    std::int64_t to_neighbor = 0;  ///< cells of the grid to go on by
+    std::int64_t to_near = 0;      ///< to the cell that keeps the bond
+    int offset = 0;
+    bool far = false;
+  };
+  End end(int offset, bool far) const;
+  /// visit(place) for the bonds of particle i in the order of `ends`.
   template <class Visit>
-  void each_of(LocalIndex i, const std::vector<int>& ends, const Visit& visit) const;
+  void each_of(LocalIndex i, const std::vector<End>& ends, const Visit& visit) const {
+    for (const End& end : ends) visit_end(grid_.cell[i], end, visit);
+  }
   /// Particle i's end of its bond to j; its neighbor is -1 if there is none.
   Place find(LocalIndex i, LocalIndex j) const;
 
@@ -67,7 +76,7 @@ class LatticeFamilies {
   int number_of(const std::array<int, 3>& step);
   /// visit(place) if the particle of cell `own` has this end of a bond.
   template <class Visit>
-  void visit_end(std::int64_t own, int o, bool far, const Visit& visit) const;
+  void visit_end(std::int64_t own, const End& end, const Visit& visit) const;
   bool bond(std::int64_t cell, int offset) const {
     const int b = block_of_[cell / lanes];
     if (b < 0) return false;
@@ -106,19 +115,12 @@ void LatticeFamilies::each(const Visit& visit) const {
 }
 
 template <class Visit>
-void LatticeFamilies::visit_end(std::int64_t own, int o, bool far, const Visit& visit) const {
-  const std::array<int, 3>& step = offsets_[o].step;
-  const std::int64_t ahead = step[0] + step[1] * grid_.row + step[2] * grid_.plane;
+void LatticeFamilies::visit_end(std::int64_t own, const End& end, const Visit& visit) const {
   // A step may leave the row, but a cell that has the bond has it to this particle and to no other.
-  const std::int64_t cell = far ? own - ahead : own;
-  if (cell < 0 || !bond(cell, o)) return;
-  visit(Place{grid_.particle[far ? cell : own + ahead], static_cast<std::size_t>(block_of_[cell / lanes]),
-              static_cast<int>(cell % lanes), o, far});
-}
-
-template <class Visit>
-void LatticeFamilies::each_of(LocalIndex i, const std::vector<int>& ends, const Visit& visit) const {
-  for (const int end : ends) visit_end(grid_.cell[i], end / 2, end % 2 != 0, visit);
+  const std::int64_t cell = own + end.to_near;
+  if (cell < 0 || !bond(cell, end.offset)) return;
+  visit(Place{grid_.particle[own + end.to_neighbor], static_cast<std::size_t>(block_of_[cell / lanes]),
+              static_cast<int>(cell % lanes), end.offset, end.far});
 }
 
 }  // namespace perinox::bonds

@@ -23,13 +23,6 @@ class PlasticExtension {
   const std::vector<char>& flowed() const { return flowed_; }
   /// Notes the particles that flow in a step. flow: [owned].
   void mark(const std::vector<double>& flow);
-  /// e_p at these particles' own ends, appended to `values`: the bonds of one particle after the other, in ascending id
-  /// of the neighbour, 0 where nothing has flowed. For saving a state: an order that depends neither on the layout of
-  /// the loops nor on the ranks. Of pairs all are gone through once a call.
-  void read(const Scene& scene, const std::vector<LocalIndex>& particles, std::vector<double>& values) const;
-  /// The way back, into chunks that are there; values for others are passed over.
-  void write(const Scene& scene, const std::vector<LocalIndex>& particles, const std::vector<double>& values);
-
   /// e_p at particle i's own end of its bond to j, which has to be there; i is owned.
   double of_bond(const Scene& scene, LocalIndex i, LocalIndex j) const;
 

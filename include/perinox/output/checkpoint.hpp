@@ -4,9 +4,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "perinox/body/body.hpp"
 #include "perinox/core/saved_state.hpp"
+#include "perinox/output/checksum.hpp"
 
 namespace perinox::output {
 
@@ -44,9 +46,11 @@ class CheckpointWriter {
 
  private:
   struct Plan;
-  void fill(const CheckpointHead& head, const std::function<void(StateWriter&)>& save, const std::string& temporary);
+  /// Returns what is known of the checksum.
+  std::vector<KnownShare> fill(const CheckpointHead& head, const std::function<void(StateWriter&)>& save,
+                               const std::string& temporary);
   /// Text for the beginning of the file, to the disk, rename.
-  void seal(const std::string& temporary);
+  void seal(const std::string& temporary, const std::vector<KnownShare>& known);
 
   std::string path_;
   std::unique_ptr<Plan> plan_;

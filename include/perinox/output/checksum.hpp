@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "perinox/core/communicator.hpp"
 
@@ -13,10 +14,16 @@ namespace perinox::output {
 /// bytes: a multiple of 8 but in the last share. first_word: number of the first of these words in the whole.
 std::uint64_t checksum(const void* data, std::size_t bytes, std::uint64_t first_word = 0);
 
-/// Of the bytes [begin, end) of a file, words counted from `begin`; each rank reads a share. Returns the same on every
+/// Some bytes of a file, a multiple of 8 behind `begin` of file_checksum, and what of their checksum a rank knows.
+struct KnownShare {
+  std::uint64_t begin, end, checksum;
+};
+
+/// Of the bytes [begin, end) of a file, words counted from `begin`; each rank reads a share. known: in ascending order,
+/// of the same bytes on every rank: these are not read, the ranks' sums for them are added. Returns the same on every
 /// rank; throws RunError if the file cannot be read that far. Collective.
 std::uint64_t file_checksum(const std::string& path, std::uint64_t begin, std::uint64_t end,
-                            const Communicator& communicator);
+                            const Communicator& communicator, const std::vector<KnownShare>& known = {});
 
 /// Sixteen hexadecimal digits.
 std::string hexadecimal(std::uint64_t value);

@@ -5,10 +5,12 @@
 
 #include "perinox/core/communicator.hpp"
 #include "perinox/core/types.hpp"
+#include "perinox/output/checksum.hpp"
+#include "perinox/output/stretch.hpp"
 
 namespace perinox::output {
 
-/// An HDF5 file that all ranks hold open together (MPI-IO; one rank that reads does without). Every member, the
+/// An HDF5 file that all ranks hold open together (MPI-IO; one rank alone does without). Every member, the
 /// destructor included, is collective. Whatever fails throws RunError on every rank, with the file's path and the
 /// reason; HDF5 prints nothing itself. Datasets are tables of `total` rows, of which each rank writes or reads the rows
 /// [first, first + rows).
@@ -41,7 +43,9 @@ class ParallelFile {
   std::vector<int> read_integers(const std::string& dataset, GlobalId total, GlobalId first, int rows) const;
   /// A list [total] that is written and read in portions: this rank's values begin at `first`; a rank may have none.
   void make_list(const std::string& dataset, GlobalId total);
-  void write_part(const std::string& dataset, const std::vector<double>& values, GlobalId first);
+  /// The place of this rank's `count` values in a list, to be filled without HDF5 and closed with close_list.
+  Stretch list_stretch(const std::string& dataset, GlobalId first, std::size_t count);
+  void close_list(Stretch& stretch);
   /// Its length; -1 if the dataset is no list.
   GlobalId list_size(const std::string& dataset) const;
   std::vector<double> read_part(const std::string& dataset, GlobalId first, std::size_t count) const;
@@ -57,6 +61,10 @@ class ParallelFile {
   std::vector<std::string> texts_attribute(const std::string& object, const std::string& name) const;
   /// Of exactly one text.
   std::string text_attribute(const std::string& object, const std::string& name) const;
+
+  /// Lists that were filled by stretches: bytes [begin, end) of the file that need not be read for its checksum, and
+  /// this rank's share of that. In the order of the file.
+  std::vector<KnownShare> filled() const;
 
   /// Everything is on disk and the file is closed when this returns. Without it the destructor closes, silently.
   void close();
@@ -74,6 +82,8 @@ class ParallelFile {
   std::string path_;
   Communicator communicator_;
   std::int64_t file_ = -1;  ///< HDF5's hid_t, kept out of this header
+  int user_block_;
+  std::vector<KnownShare> filled_;
 };
 
 }  // namespace perinox::output

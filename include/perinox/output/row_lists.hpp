@@ -16,7 +16,7 @@ namespace perinox::output {
 class RowLists {
  public:
   /// Particles of each rank's rows that pass at a time. A portion of plastic extension holds 122 numbers a particle.
-  static constexpr int portion = 32768;
+  static constexpr int portion = 4096;
 
   /// order: of the same body; kept by reference. Collective.
   RowLists(const body::Body& body, const RowOrder& order, int rows_a_portion = portion);
