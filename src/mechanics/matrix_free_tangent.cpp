@@ -29,7 +29,7 @@ const std::vector<double>& Tangent::shear_left() const {
 
 MatrixFreeTangent::MatrixFreeTangent(const Scene& scene) : Tangent(scene), loops_(FamilyLoops::make(scene)) {}
 
-void MatrixFreeTangent::linearise(const Committed& committed, const double* displacement, deck::TangentForm form) {
+bool MatrixFreeTangent::linearise(const Committed& committed, const double* displacement, deck::TangentForm form) {
   Evaluation& evaluation = scene_.evaluation();
   evaluation.at(scene_, committed, displacement);
   const auto owned = static_cast<std::size_t>(scene_.owned());
@@ -43,6 +43,14 @@ void MatrixFreeTangent::linearise(const Committed& committed, const double* disp
   law_.modulus.resize(families.moments.size());
   materials::StrainFit fit;
   std::vector<double> trial;
+  // Bonds that keep their direction, in a body where nothing has flowed: nothing of the tangent but its moduli depends
+  // on where the body is, and those of an elastic one stay what they are.
+  bool same = linearised_ && scene_.small_strain() && bonds_version_ == scene_.bonds_version() && !plastic_->chunks() &&
+              !committed.plastic().chunks();
+  const auto take = [&same](auto& held, const auto& now) {
+    same = same && held == now;
+    held = now;
+  };
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
     const materials::FamilySums sums = evaluation.sums(scene_, committed, i, fit);
     const double* history = committed.point_history(scene_, i);
@@ -51,26 +59,30 @@ void MatrixFreeTangent::linearise(const Committed& committed, const double* disp
     const materials::PointModulus modulus = scene_.material(i).modulus(sums, history, form);
     if (modulus.diagonal_only) throw std::logic_error("the printed tangent has no matrix-free product");
     law_.radial[i] = state.radial;
-    law_.shear[i] = state.shear;
+    take(law_.shear[i], state.shear);
     if (!law_.yielded.empty()) law_.yielded[i] = state.shear - state.back;
-    law_.mean[i] = modulus.mean;
-    law_.dilatation[i] = modulus.radial;
-    law_.flow[i] = modulus.flow;
+    law_.mean[i] = modulus.mean;  // matters to a point that flows only
+    take(law_.dilatation[i], modulus.radial);
+    take(law_.flow[i], modulus.flow);
     if (const bonds::Moment* moment = families.moment(i)) {
       const auto m = static_cast<std::size_t>(families.fit[i]);
       law_.radial[i] = 0;
       law_.state[m] = force_of_fit(*moment, fit, state);
       law_.slope[m] = slope_of_fit(*moment, fit, modulus);
-      law_.modulus[m] = materials::strain_modulus(*moment, modulus.bulk, modulus.shear);
+      take(law_.modulus[m], materials::strain_modulus(*moment, modulus.bulk, modulus.shear));
     }
     if (modulus.flow == 0) continue;
+    same = false;
     shear_left_.resize(owned, 1.0);
     shear_left_[i] = left_of_shear(sums, modulus, scene_.material(i).elastic_moduli(scene_.dimension()).shear);
   }
+  if (scene_.small_strain() && !scene_.body().communicator.any(!same)) return false;
+  linearised_ = true;
   if (bonds_version_ != scene_.bonds_version()) loops_->bonds_changed();
   bonds_version_ = scene_.bonds_version();
   plastic_ = committed.shared_plastic();
   loops_->linearise(evaluation.displacement().data(), law_, *plastic_);
+  return true;
 }
 
 void MatrixFreeTangent::apply(const double* x, double* y) const {

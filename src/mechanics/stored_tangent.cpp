@@ -37,7 +37,7 @@ double* StoredTangent::keep(const double* values, int count) {
   return place;
 }
 
-void StoredTangent::linearise(const Committed& committed, const double* displacement, deck::TangentForm form) {
+bool StoredTangent::linearise(const Committed& committed, const double* displacement, deck::TangentForm form) {
   std::copy(displacement, displacement + scene_.owned_unknowns(), x_.begin());
   scene_.body().halo.update_ghosts(x_.data(), scene_.dimension());
   pool_block_ = pool_used_ = 0;
@@ -47,6 +47,7 @@ void StoredTangent::linearise(const Committed& committed, const double* displace
     linearise_points<3>(committed, form);
   else
     linearise_points<2>(committed, form);
+  return true;
 }
 
 template <int d>

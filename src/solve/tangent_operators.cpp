@@ -156,7 +156,8 @@ std::string TangentSystem::preconditioner_name() const {
 void TangentSystem::update(const mechanics::Committed& committed, const double* displacement) {
   Profile& profile = scene_.body().communicator.profile();
   const Profile::Scope timed(profile, Section::linearise);
-  tangent_->linearise(committed, displacement, solver_.form);
+  if (!tangent_->linearise(committed, displacement, solver_.form)) return;
+  preconditioner_current_ = false;
   tangent_->diagonal_blocks(blocks_.data());
   const int d = scene_.dimension();
   double square = 0, count = 0;
@@ -190,6 +191,8 @@ void TangentSystem::restore(StateReader& reader) {
 }
 
 void TangentSystem::update_preconditioner() {
+  if (preconditioner_current_) return;
+  preconditioner_current_ = true;
   const Profile::Scope timed(scene_.body().communicator.profile(), Section::preconditioner);
   if (direct_) direct_->factorise();
   if (block_jacobi_) block_jacobi_->set(blocks_, stiffness_scale_);

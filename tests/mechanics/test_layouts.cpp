@@ -105,6 +105,38 @@ TEST_P(Layouts, AnswerAlikeWhereCellsAreCut) {
   expect_alike_in_all_states(row, lattice, pairs, 0.95);
 }
 
+/// A tangent that says it is still the last one answers as one made here for the first time; elastic ones of bonds that
+/// keep their direction say so, all others do not.
+TEST(Layouts, ATangentIsKeptWhereNothingOfItHasChanged) {
+  for (const MaterialRow& row : material_table())
+    for (const bool small : {true, false})
+      for (const deck::Quadrature quadrature : {deck::Quadrature::whole, deck::Quadrature::position_aware}) {
+        const mechanics::Scene scene = small_scene(row, deck::Influence::inverse, quadrature, small);
+        for (const LoadState& state : load_states()) {
+          if (state.needs_plasticity && row.surface.empty()) continue;
+          SCOPED_TRACE(row.name + " " + state.name + (small ? " small strain" : ""));
+          mechanics::MatrixFreeTangent kept(scene), fresh(scene);
+          const mechanics::Committed start(scene);
+          const Vector rest(scene.owned_unknowns(), 0.0);
+          EXPECT_TRUE(kept.linearise(start, rest.data(), deck::TangentForm::consistent));
+          std::vector<Vector> fields = fields_of(scene, state);
+          const Vector here = fields.back();
+          fields.pop_back();
+          const mechanics::Committed committed = committed_after(scene, fields);
+          const bool changed = kept.linearise(committed, here.data(), deck::TangentForm::consistent);
+          fresh.linearise(committed, here.data(), deck::TangentForm::consistent);
+          const Vector direction = random_field(scene, 1, 71);
+          EXPECT_EQ(times(kept, direction), times(fresh, direction));
+          if (row.surface.empty()) {
+            EXPECT_EQ(changed, !small);
+          }
+          if (changed) {
+            EXPECT_EQ(kept.linearise(start, rest.data(), deck::TangentForm::consistent), true);
+          }
+        }
+      }
+}
+
 INSTANTIATE_TEST_SUITE_P(Materials, Layouts,
                          ::testing::Combine(::testing::Range(0, static_cast<int>(material_table().size())),
                                             ::testing::Bool(), ::testing::Bool()));

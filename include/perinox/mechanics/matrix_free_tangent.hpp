@@ -11,7 +11,7 @@ class MatrixFreeTangent : public Tangent {
   explicit MatrixFreeTangent(const Scene& scene);
 
   /// Throws std::logic_error for the printed form, whose third term is none of a point.
-  void linearise(const Committed& committed, const double* displacement, deck::TangentForm form) override;
+  bool linearise(const Committed& committed, const double* displacement, deck::TangentForm form) override;
   void apply(const double* x, double* y) const override;
   void diagonal_blocks(double* blocks, double dilatation = 1) const override;
   const std::vector<double>& shear_left() const override { return shear_left_; }
@@ -23,6 +23,7 @@ class MatrixFreeTangent : public Tangent {
   std::vector<double> shear_left_;
   std::shared_ptr<const PlasticExtension> plastic_;
   std::uint64_t bonds_version_ = 0;
+  bool linearised_ = false;
 };
 
 }  // namespace perinox::mechanics

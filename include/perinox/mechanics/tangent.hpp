@@ -13,8 +13,9 @@ class Tangent {
   explicit Tangent(const Scene& scene) : scene_(scene) {}
   virtual ~Tangent() = default;
 
-  /// Linearises at `displacement` [owned * dimension] from the committed state. Collective.
-  virtual void linearise(const Committed& committed, const double* displacement, deck::TangentForm form) = 0;
+  /// Linearises at `displacement` [owned * dimension] from the committed state. False if this is known to be
+  /// the tangent of the last call, as for an elastic body of bonds that keep their direction. Collective.
+  virtual bool linearise(const Committed& committed, const double* displacement, deck::TangentForm form) = 0;
   /// y = K x for owned unknowns; x, y: [owned * dimension]. Collective.
   virtual void apply(const double* x, double* y) const = 0;
   /// The dimension x dimension diagonal block of every owned particle, row-major: [owned * dimension^2]. The stiffness

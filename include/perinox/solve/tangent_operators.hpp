@@ -69,6 +69,7 @@ class TangentSystem {
   std::vector<double> blocks_;
   double dilatation_share_ = 1;  ///< of the dilatation in blocks_, which only the two-level preconditioner has less of
   double stiffness_scale_ = 0;
+  bool preconditioner_current_ = false;
   long long bonds_broken_ = 0;  ///< when this was made, over all ranks: what it knows of cracks
 };
 
