@@ -86,10 +86,6 @@ void refuse_coincident(const deck::Deck& deck, const Share& share, int dimension
 }
 
 /// Number of particles within reach of each owned one: the work it will cost.
-std::vector<double> count_neighbors(const Share& share, double reach, int dimension) {
-  return count_within(share.points(dimension), dimension, static_cast<int>(share.owned.size()), reach);
-}
-
 /// Unweighted first, because neighbours can only be counted where they are at hand; then weighted by the counts.
 Share distribute(const deck::Deck& deck, std::vector<Particle> particles, double reach, int dimension,
                  const Communicator& communicator) {
@@ -100,19 +96,21 @@ Share distribute(const deck::Deck& deck, std::vector<Particle> particles, double
   refuse_coincident(deck, share, dimension, communicator);
   if (communicator.size() == 1) return share;
 
-  const std::vector<double> counts = count_neighbors(share, reach, dimension);
+  const std::vector<double> counts =
+      count_within(share.points(dimension), dimension, static_cast<int>(share.owned.size()), reach);
+  for (std::size_t i = 0; i < counts.size(); ++i) share.owned[i].neighbors = static_cast<int>(counts[i]);
   share.owned = migrate(share.owned, partition(share.owned, counts, dimension, communicator), communicator);
   share.ghosts = find_ghosts(share.owned, reach, dimension, communicator);
   return share;
 }
 
-PartitionReport report_of(const Share& share, double reach, int dimension, const Communicator& communicator) {
+PartitionReport report_of(const Share& share, const Communicator& communicator) {
   const auto imbalance = [&](double value) {
     const double mean = communicator.sum(value) / communicator.size();
     return mean > 0 ? communicator.max(value) / mean : 1.0;
   };
   double bonds = 0;
-  for (const double count : count_neighbors(share, reach, dimension)) bonds += count;
+  for (const Particle& particle : share.owned) bonds += particle.neighbors;  // one rank alone has no need to count
   PartitionReport report;
   report.bond_imbalance = imbalance(bonds);
   report.particle_imbalance = imbalance(static_cast<double>(share.owned.size()));
@@ -184,7 +182,7 @@ Body build(const deck::Deck& deck, const Communicator& communicator, double reac
   append(body, share.ghosts, materials);
   body.halo = Halo(communicator, body.id, body.owned);
   body.sets = find_sets(deck, body, spacing);
-  if (report) *report = report_of(share, reach, body.dimension, communicator);
+  if (report) *report = report_of(share, communicator);
   return body;
 }
 

@@ -6,6 +6,11 @@
 
 namespace perinox::solve {
 
+namespace {
+/// Of a cell: by so much all of them may be wider than asked for.
+constexpr double slack = 0.1;
+}  // namespace
+
 CoarseCells::CoarseCells(const body::Body& body, double spacing) : dimension_(body.dimension) {
   const Communicator& ranks = body.communicator;
   double volume = 0;
@@ -19,7 +24,11 @@ CoarseCells::CoarseCells(const body::Body& body, double spacing) : dimension_(bo
     }
     low = ranks.min(low) - edge / 2;  // a particle stands for the volume around it
     high = ranks.max(high) + edge / 2;
-    cells_[a] = std::max<GlobalId>(1, std::llround((high - low) / spacing));
+    // Rather a little narrower than `spacing` than wider, but not below two particles.
+    const GlobalId wanted = std::llround(std::ceil((high - low) / spacing - slack));
+    const GlobalId most =
+        std::max(std::llround((high - low) / spacing), std::llround(std::floor((high - low) / (2 * edge) + slack)));
+    cells_[a] = std::max<GlobalId>(1, std::min(wanted, most));
     nodes_[a] = cells_[a] + 1;
     origin_[a] = low;
     size_[a] = (high - low) / static_cast<double>(cells_[a]);

@@ -2,57 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+
+#include "element_stiffness.hpp"
 
 namespace perinox::solve {
 
 namespace {
-
-/// Stiffness of one full cell with unit modulus, [corners * d] squared, row-major.
-struct UnitStiffness {
-  int unknowns;
-  std::vector<double> bulk, shear;
-};
-
-/// Gradients of the element's functions at the point s of the unit cell.
-void gradients(const CoarseCells& cells, const std::array<double, 3>& s, std::vector<std::array<double, 3>>& gradient) {
-  const int d = cells.dimension();
-  for (int c = 0; c < cells.corners(); ++c)
-    for (int a = 0; a < d; ++a) {
-      double product = ((c >> a & 1) != 0 ? 1 : -1) / cells.size()[static_cast<std::size_t>(a)];
-      for (int b = 0; b < d; ++b)
-        if (b != a) product *= (c >> b & 1) != 0 ? s[static_cast<std::size_t>(b)] : 1 - s[static_cast<std::size_t>(b)];
-      gradient[static_cast<std::size_t>(c)][static_cast<std::size_t>(a)] = product;
-    }
-}
-
-UnitStiffness unit_stiffness(const CoarseCells& cells) {
-  const auto d = static_cast<std::size_t>(cells.dimension()), corners = static_cast<std::size_t>(cells.corners());
-  const std::size_t n = corners * d;
-  UnitStiffness unit{static_cast<int>(n), std::vector<double>(n * n), std::vector<double>(n * n)};
-  std::vector<std::array<double, 3>> g(corners);
-  const auto add = [&](double weight) {
-    for (std::size_t p = 0; p < n; ++p)
-      for (std::size_t q = 0; q < n; ++q) {
-        // Unknown p moves corner p/d along axis p%d: e = sym(g e_axis), div = g_axis.
-        const auto &gp = g[p / d], &gq = g[q / d];
-        const std::size_t a = p % d, b = q % d;
-        const double divergence = gp[a] * gq[b];
-        double dot = 0;
-        for (std::size_t c = 0; c < d; ++c) dot += gp[c] * gq[c];
-        const double strain = ((a == b ? dot : 0) + gp[b] * gq[a]) / 2;  // e(u) : e(v)
-        unit.bulk[p * n + q] += weight * divergence;
-        unit.shear[p * n + q] += weight * 2 * (strain - divergence / static_cast<double>(d));
-      }
-  };
-  const double volume = cells.volume(), gauss = 0.5 / std::sqrt(3.0);
-  for (int point = 0; point < cells.corners(); ++point) {
-    std::array<double, 3> s{};
-    for (std::size_t a = 0; a < d; ++a) s[a] = (point >> a & 1) != 0 ? 0.5 + gauss : 0.5 - gauss;
-    gradients(cells, s, g);
-    add(volume / static_cast<double>(corners));
-  }
-  return unit;
-}
 
 /// Moduli of a particle: its material's, or where several materials are in use the mean over it and its family.
 class Moduli {
@@ -111,34 +67,46 @@ double* CoarseMatrix::block(LocalIndex row, LocalIndex column_node) {
   return &value[static_cast<std::size_t>(at) * static_cast<std::size_t>(dimension * dimension)];
 }
 
-CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, const bonds::BondGraph& graph,
-                               double bulk_limit, const std::vector<double>& shear_left) {
-  const UnitStiffness unit = unit_stiffness(grid.cells());
-  const int d = grid.dimension(), corners = grid.cells().corners();
-  const auto n = static_cast<std::size_t>(unit.unknowns);
+namespace {
+template <int d>
+void add_elements(const mechanics::Scene& scene, const CoarseGrid& grid, const bonds::BondGraph& graph,
+                  double bulk_limit, const std::vector<double>& shear_left, CoarseMatrix& matrix) {
+  const body::Body& body = scene.body();
+  const std::array<double, 3>& size = grid.cells().size();
   const Moduli moduli(scene, graph);
-  CoarseMatrix matrix = pattern(grid);
+  const auto stiffness = std::make_unique<ElementStiffness<d>>(size);
+  typename ElementStiffness<d>::Blocks blocks;
+  CellMoments<d> moments;
+  double volume = 0;
+  std::array<double, d> edge{}, place{};
   for (const CoarseElement& element : grid.elements()) {
-    double bulk = 0, elastic_shear = 0, shear = 0;
+    moments.clear();
     for (LocalIndex k = element.begin; k < element.end; ++k) {
       const LocalIndex i = grid.particle(k);
-      const double share = scene.body().volume[i] / grid.cells().volume();
+      if (body.volume[i] != volume) {
+        volume = body.volume[i];
+        for (int a = 0; a < d; ++a) edge[a] = std::pow(volume, 1.0 / d) / size[a];
+      }
+      for (int a = 0; a < d; ++a) place[a] = (body.position(i)[a] - element.corner[a]) / size[a];
       const materials::ElasticModuli own = moduli.of(i);
-      bulk += share * own.bulk;
-      elastic_shear += share * own.shear;
-      shear += share * own.shear * (shear_left.empty() ? 1 : shear_left[i]);
+      moments.add(place, edge, volume * std::min(own.bulk, bulk_limit * own.shear),
+                  volume * own.shear * (shear_left.empty() ? 1 : shear_left[i]));
     }
-    bulk = std::min(bulk, bulk_limit * elastic_shear);
-    for (int a = 0; a < corners; ++a)
-      for (int b = 0; b < corners; ++b) {
+    stiffness->blocks(moments, blocks);
+    for (std::size_t a = 0; a < blocks.size(); ++a)
+      for (std::size_t b = 0; b < blocks.size(); ++b) {
         double* block = matrix.block(element.node[a], element.node[b]);
-        for (int p = 0; p < d; ++p)
-          for (int q = 0; q < d; ++q) {
-            const std::size_t entry = static_cast<std::size_t>(a * d + p) * n + static_cast<std::size_t>(b * d + q);
-            block[p * d + q] += bulk * unit.bulk[entry] + shear * unit.shear[entry];
-          }
+        for (std::size_t p = 0; p < d; ++p)
+          for (std::size_t q = 0; q < d; ++q) block[p * d + q] += blocks[a][b][p][q];
       }
   }
+}
+}  // namespace
+
+CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, const bonds::BondGraph& graph,
+                               double bulk_limit, const std::vector<double>& shear_left) {
+  CoarseMatrix matrix = pattern(grid);
+  (grid.dimension() == 3 ? add_elements<3> : add_elements<2>)(scene, grid, graph, bulk_limit, shear_left, matrix);
   return matrix;
 }
 

@@ -1,6 +1,7 @@
 #include "perinox/solve/coarse_pieces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
@@ -27,44 +28,81 @@ std::vector<std::array<int, 3>> offsets_around(int dimension) {
   return all;
 }
 
+/// Volume of this rank's particles in the cells around them; each particle is a cube.
+std::unordered_map<GlobalId, double> filled_volumes(const body::Body& body, const CoarseCells& cells) {
+  std::unordered_map<GlobalId, double> volume;
+  const auto d = static_cast<std::size_t>(body.dimension);
+  for (LocalIndex i = 0; i < body.owned; ++i) {
+    const double edge = std::pow(body.volume[i], 1.0 / body.dimension);
+    const GlobalId own = cells.cell_at(body.position(i));
+    const CoarseCells::Place place = cells.cell_place(own);
+    const std::array<double, 3> corner = cells.position(place);
+    // Of each axis: what sticks out of the cell, and on which side.
+    std::array<double, 3> out{};
+    std::array<int, 3> side{};
+    for (std::size_t a = 0; a < d; ++a) {
+      const double below = corner[a] - (body.position(i)[a] - edge / 2),
+                   above = body.position(i)[a] + edge / 2 - corner[a] - cells.size()[a];
+      side[a] = below > above ? -1 : 1;
+      out[a] = std::clamp(std::max(below, above) / edge, 0.0, 1.0);
+    }
+    for (int beside = 0; beside < 1 << d; ++beside) {
+      double share = body.volume[i];
+      std::array<int, 3> offset{};
+      for (std::size_t a = 0; a < d; ++a) {
+        const bool outside = (beside >> a & 1) != 0;
+        share *= outside ? out[a] : 1 - out[a];
+        offset[a] = outside ? side[a] : 0;
+      }
+      const GlobalId cell = share > 0 ? cells.cell_beside(place, offset) : -1;
+      if (cell >= 0) volume[cell] += share;
+    }
+  }
+  return volume;
+}
+
 /// Cells that may be parted, over all ranks.
 Keys suspects(const mechanics::Scene& scene, const CoarseCells& cells, const std::vector<GlobalId>& cell) {
   const body::Body& body = scene.body();
   Keys found;
-  std::unordered_map<GlobalId, double> volume;
   std::unordered_map<GlobalId, int> part;  // -1: several
+  std::set<GlobalId> held;                 // by particles of this rank
   for (LocalIndex i = 0; i < body.local(); ++i) {
     if (i < body.owned) {
-      volume[cell[i]] += body.volume[i];
+      held.insert(held.end(), cell[i]);
       if (scene.families().damage[i] > 0) found.insert(cell[i]);
     }
     const auto [at, is_new] = part.emplace(cell[i], body.part[i]);
     if (!is_new && at->second != body.part[i]) at->second = -1;
   }
   const auto around = offsets_around(body.dimension);
-  // A cell at a rank's border may be filled up by another rank: what is poor here is added up over the ranks.
-  std::vector<long long> poor_keys;
-  std::vector<double> poor_volumes;
-  for (const auto& [key, filled] : volume) {
-    if (filled < poorly_filled * cells.volume()) {
-      poor_keys.push_back(key);
-      poor_volumes.push_back(filled);
-    }
+  for (const GlobalId key : held) {
     const int own = part.at(key);
     for (const auto& offset : around) {
       const auto other = part.find(cells.cell_beside(cells.cell_place(key), offset));
       if (other != part.end() && (own < 0 || other->second != own)) found.insert(key);
     }
   }
-  const auto all_keys = body.communicator.gather(poor_keys);
-  const auto all_volumes = body.communicator.gather(poor_volumes);
-  std::unordered_map<GlobalId, double> sums;
-  for (std::size_t k = 0; k < all_keys.size(); ++k) sums[all_keys[k]] += all_volumes[k];
+  // A cell at a rank's border may be filled up by other ranks: those that one of them finds poor are added up.
+  const std::unordered_map<GlobalId, double> volume = filled_volumes(body, cells);
+  const double enough = poorly_filled * cells.volume();
+  std::vector<long long> poor;
+  for (const GlobalId key : held)
+    if (volume.at(key) < enough) poor.push_back(key);
+  poor = body.communicator.gather(poor);
+  std::sort(poor.begin(), poor.end());
+  poor.erase(std::unique(poor.begin(), poor.end()), poor.end());
+  std::vector<double> sums(poor.size(), 0.0);
+  for (std::size_t k = 0; k < poor.size(); ++k) {
+    const auto at = volume.find(poor[k]);
+    if (at != volume.end()) sums[k] = at->second;
+  }
+  body.communicator.sum(sums);
   std::vector<long long> own_suspects(found.begin(), found.end());
   const auto gathered = body.communicator.gather(own_suspects);
   Keys all(gathered.begin(), gathered.end());
-  for (const auto& [key, filled] : sums)
-    if (filled < poorly_filled * cells.volume()) all.insert(key);
+  for (std::size_t k = 0; k < poor.size(); ++k)
+    if (sums[k] < enough) all.insert(poor[k]);
   return all;
 }
 

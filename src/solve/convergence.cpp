@@ -7,7 +7,9 @@ namespace perinox::solve {
 
 namespace {
 constexpr double tightest = 1e-8, after_no_progress = 1e-4;
-}
+/// Two decades are some seven iterations, which is what the last linear solve of a step takes at least.
+constexpr double worth_it = 100;
+}  // namespace
 
 bool converged(const deck::Newton& settings, const NewtonIteration& last, double before, double floor) {
   // The next update would be about as much smaller than this one as the residual has become.
@@ -31,6 +33,13 @@ double next_forcing(const deck::Solver& settings, const NewtonIteration& last, d
   }
   // Never more than what convergence still needs: the last linear solve of a step is the dearest.
   const double needed = 0.2 * settings.newton.tolerance / last.relative_residual;
+  // But that much where Newton would leave no more by itself: converging quadratically, the next residual is this one
+  // times the last factor squared. Some more linear iterations are fewer than those of another linearisation.
+  if (last.iteration > 0 && before > 0 && forcing < worth_it * needed) {
+    const double progress = last.residual / before;
+    if (progress * progress * last.relative_residual < 0.7 * settings.newton.tolerance)
+      forcing = std::min(forcing, needed);
+  }
   return std::min(loosest, std::max({forcing, needed, tightest}));
 }
 

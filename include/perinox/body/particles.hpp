@@ -13,6 +13,7 @@ struct Particle {
   deck::Point position;  ///< z = 0 in 2-D
   double volume;         ///< 2-D: area
   int part;              ///< index into deck.body
+  int neighbors = 0;     ///< within reach, once they have been counted
 };
 
 /// Sends each particle to the ranks in its list of destinations: particles[send[r][k]] to rank r. Returns what this

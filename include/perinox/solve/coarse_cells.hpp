@@ -11,8 +11,8 @@ class CoarseCells {
  public:
   using Place = std::array<GlobalId, 3>;
 
-  /// Cells of about `spacing` (length) on each axis, stretched so that a whole number of them fills the box: a cell
-  /// that is filled by a sliver makes a poor element. Collective.
+  /// Cells of `spacing` (length) at most, or hardly more, on each axis, so that a whole number of them fills the box.
+  /// Collective.
   CoarseCells(const body::Body& body, double spacing);
 
   int dimension() const { return dimension_; }

@@ -19,10 +19,11 @@ struct CoarseMatrix {
 
 /// Local linear elasticity on the coarse grid,
 ///     a(u, v) = int kappa div u div v + 2 mu dev e(u) : dev e(v),
-/// with d-linear elements and the material of the particles in each cell: moduli are volume-weighted means times the
-/// filled share of the cell. Where materials meet, a particle counts with the mean over its family: the bonds of stiff
-/// particles stiffen a layer of soft ones as thick as the horizon. kappa counts up to bulk_limit mu: beyond it
-/// smoothed aggregation loses its quality, and the fine level's nonlocal dilatation is not that stiff anyway.
+/// with d-linear elements, integrated over the particles: each stands for a cube of its volume with its moduli, so that
+/// a cell which a crack, a surface or a hole cuts counts what is there of it. Where materials meet, a particle counts
+/// with the mean over its family: the bonds of stiff particles stiffen a layer of soft ones as thick as the horizon.
+/// kappa counts up to bulk_limit mu: beyond it the coarse solve loses its quality, and the fine level's nonlocal
+/// dilatation is not that stiff anyway.
 /// shear_left: factor of every particle's mu, [owned]; empty: 1.
 CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const CoarseGrid& grid, const bonds::BondGraph& graph,
                                double bulk_limit, const std::vector<double>& shear_left);
