@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "perinox/solve/coarse_spacing.hpp"
+
 namespace perinox::solve {
 
 namespace {
@@ -14,37 +16,7 @@ constexpr double grounding = 1e-10;
 /// Least share of a prescribed particle's stiffness that holds the coarse grid: nodes deep inside a support would float
 /// without it.
 constexpr double least_spring = 0.1;
-/// Where finer cells pay: above this kappa/mu, and this ratio of the moduli of two materials.
-constexpr double nearly_incompressible = 20, strong_contrast = 100;
-
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
-/// Of the materials that particles are made of. Collective.
-std::vector<materials::ElasticModuli> moduli_in_use(const mechanics::Scene& scene) {
-  std::vector<double> used(scene.materials().size(), 0.0);
-  for (LocalIndex i = 0; i < scene.owned(); ++i) used[static_cast<std::size_t>(scene.body().material[i])] = 1;
-  scene.body().communicator.max(used);
-  std::vector<materials::ElasticModuli> moduli;
-  for (std::size_t m = 0; m < used.size(); ++m)
-    if (used[m] > 0) moduli.push_back(scene.materials()[m]->elastic_moduli(scene.dimension()));
-  return moduli;
-}
-
-double largest_ratio(const std::vector<materials::ElasticModuli>& moduli) {
-  double ratio = 0;
-  for (const materials::ElasticModuli& of : moduli) ratio = std::max(ratio, of.bulk / of.shear);
-  return ratio;
-}
-
-/// Finer cells save iterations everywhere, but make a coarse solve as dear as a product over a lattice. Points of a
-/// cloud take two to three times as long.
-bool finer_cells_pay(const mechanics::Scene& scene) {
-  const std::vector<materials::ElasticModuli> moduli = moduli_in_use(scene);
-  const auto [low, high] =
-      std::minmax_element(moduli.begin(), moduli.end(), [](const auto& a, const auto& b) { return a.shear < b.shear; });
-  return !scene.lattice() || largest_ratio(moduli) > nearly_incompressible ||
-         high->shear > strong_contrast * low->shear;
-}
 
 /// Below two spacings a cell would have about as many unknowns as its particles.
 double cell_edge(const mechanics::Scene& scene, const TwoLevel::Settings& settings) {
@@ -67,7 +39,7 @@ bool TwoLevel::worth_its_cost(const mechanics::Scene& scene) {
 double TwoLevel::dilatation_share(const mechanics::Scene& scene) {
   // Most fields that D has to deal with change no volume: with all of the dilatation it is too stiff for them. The best
   // shares found are 0.5 for kappa/mu = 50 (nu = 0.49) and 0.1 for 500 (0.499).
-  return std::min(1.0, std::pow(18 / largest_ratio(moduli_in_use(scene)), 0.7));
+  return std::min(1.0, std::pow(18 / largest_bulk_over_shear(scene), 0.7));
 }
 
 TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene,

@@ -15,13 +15,13 @@ namespace perinox::solve {
 class TwoLevel : public OwnedOperator {
  public:
   struct Settings {
-    double cell = 1;           ///< edge of the grid's cells over the horizon; two spacings at least
-    double finer_cell = 0.67;  ///< the same for clouds, for kappa/mu above 20 and for moduli of ratios above 100
-    double bulk_limit = 8;     ///< see coarse_elasticity
-    double spring = 1;         ///< scale of the springs that stand for prescribed unknowns
-    double softening = 0.1;    ///< mean change of shear_left at which A_c is made anew
-    double weight = 1;         ///< of the coarse term, where nothing flows
-    int smoothing = 3;         ///< degree of the V-cycle's Chebyshev smoothers
+    double cell = 1;                    ///< largest edge of the grid's cells over the horizon; two spacings at least
+    double finer_cell = 0.67;           ///< the same where finer_cells_pay()
+    double bulk_limit = 8;              ///< see coarse_elasticity
+    double spring = 1;                  ///< scale of the springs that stand for prescribed unknowns
+    double softening = 0.1;             ///< mean change of shear_left at which A_c is made anew
+    double weight = 1;                  ///< of the coarse term, where nothing flows
+    int smoothing = 3;                  ///< degree of the V-cycle's Chebyshev smoothers
     long long factorised_up_to = 2500;  ///< coarse unknowns up to which they are factorised
   };
 
