@@ -3,7 +3,7 @@
 /// scenes: cube, perforated, jittered, crack, contrast, plate-strain, plate-stress, points, bar and sheet (held at one
 /// end, eight particles thick). keys: nu, cell (edge over horizon), level (1: block Jacobi only), bulk_limit, spring,
 /// weight, ratio (horizon over spacing), dilatation (share of it in D), smoothing (degree), direct (coarse unknowns
-/// that are factorised), fitted (1: quadrature: position-aware).
+/// that are factorised), fitted (1: quadrature: position-aware), steps (products an iteration, odd).
 #include "perinox/solve/two_level.hpp"
 
 #include <fmt/format.h>
@@ -20,6 +20,7 @@
 #include "perinox/mechanics/assembled_tangent.hpp"
 #include "perinox/mechanics/matrix_free_tangent.hpp"
 #include "perinox/solve/boundary.hpp"
+#include "perinox/solve/chebyshev_acceleration.hpp"
 
 namespace {
 
@@ -34,6 +35,20 @@ struct Options {
     const auto found = words.find(key);
     return found == words.end() ? fallback : std::stod(found->second);
   }
+};
+
+/// K on free unknowns, the identity on prescribed ones.
+struct Product : solve::OwnedOperator {
+  Product(const mechanics::Tangent& k, const std::vector<char>& held)
+      : OwnedOperator(mechanics::unknowns_map(k.scene().body())), tangent(k), fixed(held) {}
+  void multiply(const double* x, double* y) const override {
+    Vector free(x, x + tangent.scene().owned_unknowns());
+    for (std::size_t u = 0; u < free.size(); ++u) free[u] = fixed[u] ? 0 : x[u];
+    tangent.apply(free.data(), y);
+    for (std::size_t u = 0; u < free.size(); ++u) y[u] = fixed[u] ? x[u] : y[u];
+  }
+  const mechanics::Tangent& tangent;
+  const std::vector<char>& fixed;
 };
 
 std::string cloud_file(int n) {
@@ -149,6 +164,11 @@ void run(int argc, char** argv) {
   const double built = now();
   const bool one_level = options.number("level", 2) == 1;
 
+  const int steps = static_cast<int>(options.number("steps", 1));
+  const Product masked(tangent, fixed);
+  solve::ChebyshevAcceleration accelerated(two_level.getDomainMap(), scene.body(), fixed, masked, two_level, steps);
+  if (steps > 1) accelerated.estimate();
+
   const auto dot = [&](const Vector& a, const Vector& b) {
     double sum = 0;
     for (std::size_t u = 0; u < unknowns; ++u) sum += a[u] * b[u];
@@ -166,6 +186,8 @@ void run(int argc, char** argv) {
     const double from = now();
     if (one_level)
       two_level.block_jacobi().multiply(r.data(), z.data());
+    else if (steps > 1)
+      accelerated.multiply(r.data(), z.data());
     else
       two_level.multiply(r.data(), z.data());
     whole += now() - from;

@@ -64,6 +64,16 @@ std::string tangent_choice(const deck::Solver& solver, double matrix, double unk
   return text;
 }
 
+/// What the Krylov method takes at once, and why; empty where it is one product. Collective.
+std::string steps_choice(const deck::Solver& solver, const mechanics::Scene& scene) {
+  if (solver.assembled() || solver.linear.preconditioner == deck::Preconditioner::none) return "";
+  const int asked = solver.linear.chebyshev_steps, steps = asked > 0 ? asked : solve::chebyshev_steps(scene);
+  if (steps == 1) return "";
+  if (asked > 0) return fmt::format("  {} products in one linear iteration: the deck asks for it\n", steps);
+  return fmt::format("  {} products in one linear iteration: kappa/mu is {:.3g}, nearly incompressible\n", steps,
+                     solve::largest_bulk_over_shear(scene));
+}
+
 /// Sums over the ranks that the report needs.
 struct Totals {
   long long bonds = 0, cut = 0, ghosts = 0, point_history = 0, bond_history = 0;
@@ -177,7 +187,10 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
                         (particles * 8 + 2 * static_cast<double>(t.point_history)) * sizeof(double);
   // Newton's and the Krylov method's vectors, the preconditioner with a V-cycle (93 bytes a particle measured, 290 with
   // the finer cells): about.
-  const double solving = particles * (14 * d + d * d + (solve::finer_cells_pay(scene) ? 40 : 16)) * sizeof(double);
+  const std::string steps = steps_choice(deck.solver, scene);
+  const double solving = particles *
+                         (14 * d + d * d + (solve::finer_cells_pay(scene) ? 40 : 16) + (steps.empty() ? 0 : 3 * d)) *
+                         sizeof(double);
   // Two families wide: a sphere of twice the horizon holds 8 (2-D: 4) families, less its thin rim.
   const double matrix = bonds * (d == 3 ? 6.8 : 3.7) * d * d * 12;
   const bool lattice = scene.lattice() != nullptr;
@@ -215,7 +228,7 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   if (!in_time) line("Newton, Krylov and preconditioner, about", solving);
   if (!in_time && deck.solver.assembled())
     line("assembled matrix, its bonds and stored tangent, about", matrix + bonds * 88);
-  if (!in_time) out += fmt::format("solver\n  {}\n", tangent_choice(deck.solver, matrix, particles * d));
+  if (!in_time) out += fmt::format("solver\n  {}\n{}", tangent_choice(deck.solver, matrix, particles * d), steps);
   // Counted in the sweeps, a reciprocal root as twelve: 12 d + 14 operations a directed bond, 8 more where it flows.
   // From memory a product reads the plastic extension twice and everything else about once.
   const double product = bonds * (12 * d + 14) + 8 * plastic_bonds;

@@ -155,6 +155,8 @@ Solver convert_solver(const Value& value) {
   solver.linear.preconditioner = convert_word<Preconditioner>(linear, "preconditioner", words::preconditioner);
   solver.linear.tolerance = linear.at("tolerance").number();
   solver.linear.max_iterations = static_cast<int>(linear.at("max_iterations").integer());
+  const int word = convert_word<int>(linear, "chebyshev_steps", words::chebyshev_steps);
+  solver.linear.chebyshev_steps = word == 0 ? 0 : 2 * word - 1;
   refuse_unfit_solver(solver, linear);
   return solver;
 }

@@ -23,9 +23,10 @@ Key declare_solver() {
            "What another Newton update would change, relative to the step's displacement increment, at which a "
            "step is converged: the last update times the factor by which it has lowered the residual."),
        integer_key("max_iterations", 1, 100000, "25", "Iterations after which a step counts as failed."),
-       word_key("line_search", words::line_search, "backtrack",
-                "Shorten an update that makes no progress (it neither lowers the residual nor brings the next correction "
-                "down), or always take it whole."),
+       word_key(
+           "line_search", words::line_search, "backtrack",
+           "Shorten an update that makes no progress (it neither lowers the residual nor brings the next correction "
+           "down), or always take it whole."),
        word_key("forcing", words::forcing, "eisenstat-walker",
                 "Tolerance of the linear solves: adapted to Newton's progress, or always linear.tolerance.")});
   newton.fallback = "{}";
@@ -40,7 +41,12 @@ Key declare_solver() {
            "takes two-level for the matrix-free one, block-jacobi where the body is two horizons wide at most."),
        tolerance_key("tolerance", "1e-2",
                      "Relative residual of a linear solve; with eisenstat-walker forcing the loosest one allowed."),
-       integer_key("max_iterations", 1, 1e9, "2000", "Iterations after which a linear solve is given up.")});
+       integer_key("max_iterations", 1, 1e9, "2000", "Iterations after which a linear solve is given up."),
+       word_key(
+           "chebyshev_steps", words::chebyshev_steps, "automatic",
+           "Products and applications of two-level or block-jacobi in one iteration of the Krylov method, joined by "
+           "Chebyshev's polynomial: fewer iterations, sums over all ranks and vectors of gmres, for about a seventh "
+           "more products. automatic takes 3 with two-level where kappa/mu is above 300 (nu = 0.4983), else 1.")});
   linear.fallback = "{}";
   Key key = map_key(
       "solver", "How each step is solved; every key has a good default.",

@@ -39,6 +39,12 @@ void refuse_unfit_solver(const Solver& solver, const Value& linear) {
            fmt::format("the preconditioner {} needs the assembled matrix; leave tangent: matrix-free out of solver, or "
                        "take two-level",
                        preconditioner.text()));
+  const bool without = solver.assembled() || kind == Preconditioner::none;
+  if (solver.linear.chebyshev_steps > 1 && without)
+    refuse(
+        linear.at("chebyshev_steps").location(),
+        "chebyshev_steps needs the matrix-free tangent with two-level or block-jacobi; take it out, or what asks for "
+        "another preconditioner or the assembled matrix");
 }
 
 }  // namespace perinox::deck

@@ -20,6 +20,8 @@ inline const std::vector<std::string> forcing{"eisenstat-walker", "constant"};
 inline const std::vector<std::string> linear_method{"automatic", "cg", "gmres", "direct"};
 inline const std::vector<std::string> preconditioner{
     "automatic", "none", "two-level", "block-jacobi", "jacobi", "symmetric-gauss-seidel", "chebyshev", "ilu"};
+/// The number in the word's place times two, less one; 0: automatic.
+inline const std::vector<std::string> chebyshev_steps{"automatic", "1", "3", "5"};
 inline const std::vector<std::string> component{"x", "y", "z"};
 inline const std::vector<std::string> load_kind{"displacement", "force",    "body_force",
                                                 "traction",     "pressure", "velocity"};

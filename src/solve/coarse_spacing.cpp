@@ -8,6 +8,8 @@ namespace {
 
 /// Where finer cells pay: above this kappa/mu, and this ratio of the moduli of two materials.
 constexpr double nearly_incompressible = 20, strong_contrast = 100;
+/// Where the iterations are so many that a third of them, and of their sums over all ranks, is worth a tenth more work.
+constexpr double very_nearly_incompressible = 300;
 
 /// Of the materials that particles are made of. Collective.
 std::vector<materials::ElasticModuli> moduli_in_use(const mechanics::Scene& scene) {
@@ -29,6 +31,10 @@ double largest_ratio(const std::vector<materials::ElasticModuli>& moduli) {
 }  // namespace
 
 double largest_bulk_over_shear(const mechanics::Scene& scene) { return largest_ratio(moduli_in_use(scene)); }
+
+int chebyshev_steps(const mechanics::Scene& scene) {
+  return largest_bulk_over_shear(scene) > very_nearly_incompressible ? 3 : 1;
+}
 
 bool finer_cells_pay(const mechanics::Scene& scene) {
   const std::vector<materials::ElasticModuli> moduli = moduli_in_use(scene);

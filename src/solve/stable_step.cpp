@@ -8,6 +8,7 @@
 
 #include "perinox/mechanics/family_loops.hpp"
 #include "perinox/mechanics/tangent.hpp"
+#include "ritz.hpp"
 
 namespace perinox::solve {
 
@@ -41,26 +42,6 @@ double family_stiffness(const mechanics::Scene& scene, const mechanics::Committe
   root.topLeftCorner(d, d).array() += (std::sqrt(d * modulus.bulk) - std::sqrt(2 * mu)) / d;
   const Block product = root * Eigen::Map<const Block>(moment->inverse.data(), n, n) * root;
   return std::max(modulus.shear, largest_of(n, product.data()));
-}
-
-/// A number in (-1, 1) that depends on the particle alone, so that any number of ranks begins alike.
-double scatter(GlobalId id, int component) {
-  auto x = static_cast<std::uint64_t>(id) * 4 + static_cast<std::uint64_t>(component) + 0x9e3779b97f4a7c15ULL;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-  return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-52 - 1;
-}
-
-/// Largest Ritz value of the tridiagonal matrix with its residual on top; what of it is the residual.
-struct Ritz {
-  double value = 0, residual = 0;
-};
-Ritz largest_ritz(const std::vector<double>& diagonal, const std::vector<double>& side) {
-  const auto n = static_cast<Eigen::Index>(diagonal.size());
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), n),
-                                Eigen::Map<const Eigen::VectorXd>(side.data(), n - 1));
-  return {solver.eigenvalues()[n - 1], side.back() * std::abs(solver.eigenvectors()(n - 1, n - 1))};
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "perinox/solve/block_jacobi.hpp"
+#include "perinox/solve/chebyshev_acceleration.hpp"
+#include "perinox/solve/coarse_spacing.hpp"
 #include "perinox/solve/direct_solve.hpp"
 #include "perinox/solve/timed_operator.hpp"
 #include "perinox/solve/two_level.hpp"
@@ -141,6 +143,14 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
     sparse_->preconditioner = make_sparse(kind, assembled_->matrix());
     preconditioner_ = sparse_->preconditioner;
   }
+  const int steps = solver_.linear.chebyshev_steps > 0 ? solver_.linear.chebyshev_steps
+                    : two_level_                       ? chebyshev_steps(scene)
+                                                       : 1;
+  if (steps > 1 && (two_level_ || block_jacobi_)) {
+    const OwnedOperator& one_step = two_level_ ? static_cast<const OwnedOperator&>(*two_level_) : *block_jacobi_;
+    accelerated_ = Teuchos::rcp(new ChebyshevAcceleration(map_, scene.body(), prescribed_, *masked_, one_step, steps));
+    preconditioner_ = accelerated_;
+  }
   if (!preconditioner_.is_null())
     preconditioner_ = Teuchos::rcp(new TimedOperator(preconditioner_, profile, Section::preconditioner));
 }
@@ -183,11 +193,17 @@ void TangentSystem::save(StateWriter& writer) const {
   writer.number("tangent/stiffness_scale", stiffness_scale_);
   writer.integer("tangent/bonds_broken", bonds_broken_);
   if (two_level_) two_level_->save(writer);
+  if (!accelerated_) return;
+  writer.number("tangent/lowest_eigenvalue", accelerated_->interval().lowest);
+  writer.number("tangent/highest_eigenvalue", accelerated_->interval().highest);
 }
 
 void TangentSystem::restore(StateReader& reader) {
   stiffness_scale_ = reader.number("tangent/stiffness_scale");
   if (two_level_) two_level_->restore(reader);
+  if (accelerated_ && reader.has("tangent/highest_eigenvalue"))
+    accelerated_->set_interval(
+        {reader.number("tangent/lowest_eigenvalue"), reader.number("tangent/highest_eigenvalue")});
 }
 
 void TangentSystem::update_preconditioner() {
@@ -196,7 +212,8 @@ void TangentSystem::update_preconditioner() {
   const Profile::Scope timed(scene_.body().communicator.profile(), Section::preconditioner);
   if (direct_) direct_->factorise();
   if (block_jacobi_) block_jacobi_->set(blocks_, stiffness_scale_);
-  if (two_level_) two_level_->set(blocks_, stiffness_scale_, tangent_->shear_left());
+  const bool renewed = two_level_ && two_level_->set(blocks_, stiffness_scale_, tangent_->shear_left());
+  if (accelerated_ && (renewed || accelerated_->interval().highest == 0)) accelerated_->estimate();
   if (!sparse_) return;
   if (!sparse_->initialised) sparse_->preconditioner->initialize();
   sparse_->initialised = true;

@@ -89,13 +89,14 @@ std::vector<double> TwoLevel::springs(const std::vector<double>& blocks) const {
   return stiffness;
 }
 
-void TwoLevel::set(const std::vector<double>& blocks, double diagonal, const std::vector<double>& shear_left) {
+bool TwoLevel::set(const std::vector<double>& blocks, double diagonal, const std::vector<double>& shear_left) {
   block_jacobi_.set(blocks, diagonal);
-  if (solver_ && !softened(shear_left)) return;
+  if (solver_ && !softened(shear_left)) return false;
   shear_left_ = shear_left;
   if (!graph_) graph_ = scene_.bond_graph();
   springs_ = springs(blocks);
   make_coarse();
+  return true;
 }
 
 void TwoLevel::save(StateWriter& writer) const {

@@ -221,6 +221,12 @@ const Mistake mistakes_in_decks[] = {
     {"gauss_seidel_without_a_matrix", &base_deck, "preconditioner: automatic", "preconditioner: symmetric-gauss-seidel",
      "deck.yaml:27:28: the preconditioner symmetric-gauss-seidel needs the assembled matrix; leave tangent: "
      "matrix-free out of solver, or take two-level"},
+    {"steps_without_a_preconditioner", &base_deck, "preconditioner: automatic",
+     "preconditioner: none, chebyshev_steps: 3",
+     "deck.yaml:27:51: chebyshev_steps needs the matrix-free tangent with two-level or block-jacobi; take it out, or "
+     "what asks for another preconditioner or the assembled matrix"},
+    {"steps_that_are_even", &base_deck, "preconditioner: automatic", "chebyshev_steps: 2",
+     "deck.yaml:27:29: chebyshev_steps cannot be '2'; it can be automatic, 1, 3 or 5"},
     {"direct_without_a_matrix", &base_deck, "preconditioner: automatic", "method: direct",
      "deck.yaml:27:20: the direct method factorises the assembled matrix; leave tangent: matrix-free out of solver, or "
      "take method: automatic"},

@@ -55,6 +55,13 @@ history:
 
 TEST(Restart, TwoLevelPlasticBarWithItsUnloading) { restart_after_every_step(deck_of(bar(""))); }
 
+TEST(Restart, SeveralProductsAnIteration) {  // kappa/mu = 500: the polynomial's interval goes on too
+  restart_after_every_step(deck_of(bar(""), {"materials.metal.bulk_modulus=40e6"}));
+  // Nothing flows: the interval is found once.
+  restart_after_every_step(
+      deck_of(bar(""), {"materials.metal.bulk_modulus=40e6", "materials.metal.yield_stress.tension=1e5"}));
+}
+
 TEST(Restart, KinematicHardening) {
   restart_after_every_step(deck_of(bar(", kinematic_hardening_modulus: {tension: 2000}")));
 }

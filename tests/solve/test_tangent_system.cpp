@@ -21,6 +21,8 @@ const Setting settings[] = {
     {"auto, direct", {"solver.linear.method=direct"}},
     {"assembled, gmres", {"solver.tangent=assembled", "solver.linear.method=gmres"}},
     {"matrix-free, none", {"solver.linear.preconditioner=none"}},
+    {"matrix-free, three steps", {"solver.linear.chebyshev_steps=3"}},
+    {"matrix-free, gmres, five steps", {"solver.linear.method=gmres", "solver.linear.chebyshev_steps=5"}},
     {"matrix-free, gmres", {"solver.linear.method=gmres"}},
     {"full step, constant forcing", {"solver.newton.line_search=full-step", "solver.newton.forcing=constant"}},
 };

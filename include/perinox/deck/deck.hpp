@@ -165,6 +165,7 @@ struct Linear {
   Preconditioner preconditioner = Preconditioner::automatic;
   double tolerance = 1e-2;  ///< constant forcing: tolerance; Eisenstat-Walker: the loosest one
   int max_iterations = 2000;
+  int chebyshev_steps = 0;  ///< odd; 0: chosen by the scene
 };
 struct Solver {
   Location location;

@@ -11,4 +11,9 @@ double largest_bulk_over_shear(const mechanics::Scene& scene);
 /// to three times as long, and near incompressibility and strong contrasts need them. Collective.
 bool finer_cells_pay(const mechanics::Scene& scene);
 
+/// Steps of Chebyshev's iteration with the two-level preconditioner that make one of the Krylov method's iterations:
+/// 3 where some material is so nearly incompressible (kappa/mu > 300) that the preconditioner alone takes a hundred,
+/// else 1. Collective.
+int chebyshev_steps(const mechanics::Scene& scene);
+
 }  // namespace perinox::solve

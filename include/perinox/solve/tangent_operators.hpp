@@ -10,6 +10,7 @@
 namespace perinox::solve {
 
 class BlockJacobi;
+class ChebyshevAcceleration;
 class DirectSolve;
 class TwoLevel;
 
@@ -63,6 +64,7 @@ class TangentSystem {
   Teuchos::RCP<Masked> masked_;
   Teuchos::RCP<BlockJacobi> block_jacobi_;
   Teuchos::RCP<TwoLevel> two_level_;
+  Teuchos::RCP<ChebyshevAcceleration> accelerated_;  ///< of one of the two; null for one step
   std::unique_ptr<Sparse> sparse_;
   Teuchos::RCP<DirectSolve> direct_;
   Teuchos::RCP<tpetra::Operator> operator_, preconditioner_;

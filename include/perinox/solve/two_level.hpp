@@ -37,8 +37,9 @@ class TwoLevel : public OwnedOperator {
 
   /// Takes the tangent's diagonal blocks [owned * dimension^2], row-major, with `diagonal` on prescribed unknowns, and
   /// Tangent::shear_left. The first call also makes A_c, of moduli, geometry, cracks and supports; later ones make it
-  /// anew when the shear moduli have changed by Settings::softening in the mean over the body. Collective.
-  void set(const std::vector<double>& blocks, double diagonal, const std::vector<double>& shear_left = {});
+  /// anew when the shear moduli have changed by Settings::softening in the mean over the body. True if it made A_c.
+  /// Collective.
+  bool set(const std::vector<double>& blocks, double diagonal, const std::vector<double>& shear_left = {});
   void multiply(const double* x, double* y) const override;
 
   /// What A_c was made of, and A_c made of it again. Nothing where it has not been made. Collective.
