@@ -1,8 +1,7 @@
 /// The coarse system, small: gathered and factorised on every rank.
-#include <Eigen/SparseCholesky>
 #include <algorithm>
-#include <stdexcept>
 
+#include "block_factors.hpp"
 #include "perinox/solve/coarse_solver.hpp"
 
 namespace perinox::solve {
@@ -25,7 +24,6 @@ class Factors : public CoarseSolver {
     for (const GlobalId id : node_ids)
       number_.push_back(static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()));
     dimension_ = d;
-    all_.resize(ids.size() * d);
 
     std::vector<long long> places;  // row * nodes + column of each block of the lower half
     std::vector<double> blocks;
@@ -40,45 +38,37 @@ class Factors : public CoarseSolver {
       places = ranks.gather(places);
       blocks = ranks.gather(blocks);
     }
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(blocks.size());
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const auto row = static_cast<std::size_t>(places[k]) / ids.size() * d;
-      const auto column = static_cast<std::size_t>(places[k]) % ids.size() * d;
-      for (std::size_t p = 0; p < d; ++p)
-        for (std::size_t q = 0; q < d; ++q)
-          if (row + p >= column + q)
-            entries.emplace_back(static_cast<int>(row + p), static_cast<int>(column + q), blocks[(k * d + p) * d + q]);
-    }
-    Eigen::SparseMatrix<double> lower(static_cast<int>(all_.size()), static_cast<int>(all_.size()));
-    lower.setFromTriplets(entries.begin(), entries.end());
-    factors_.compute(lower);
-    if (factors_.info() != Eigen::Success) throw std::runtime_error("the coarse matrix is not positive definite");
-    nonzeros_ = static_cast<std::size_t>(factors_.matrixL().nestedExpression().nonZeros());
+    std::vector<BlockFactors::Place> lower;
+    lower.reserve(places.size());
+    for (const long long place : places)
+      lower.push_back({static_cast<LocalIndex>(static_cast<std::size_t>(place) / ids.size()),
+                       static_cast<LocalIndex>(static_cast<std::size_t>(place) % ids.size())});
+    factors_ = std::make_unique<BlockFactors>(matrix.dimension, ids.size(), lower, blocks);
+    all_.resize(factors_->size());
+    unknowns_ = static_cast<long long>(ids.size() * d);
   }
 
   void solve(const double* right, double* solution) override {
     const std::size_t d = dimension_;
     std::fill(all_.begin(), all_.end(), 0.0);
     for (std::size_t n = 0; n < number_.size(); ++n)
-      for (std::size_t c = 0; c < d; ++c) all_[number_[n] * d + c] = right[n * d + c];
+      for (std::size_t c = 0; c < d; ++c) all_[factors_->at(number_[n]) + c] = right[n * d + c];
     if (ranks_.size() > 1) ranks_.sum(all_);
-    const Eigen::Map<const Eigen::VectorXd> sum(all_.data(), static_cast<Eigen::Index>(all_.size()));
-    const Eigen::VectorXd found = factors_.solve(sum);
+    factors_->solve(all_.data());
     for (std::size_t n = 0; n < number_.size(); ++n)
-      for (std::size_t c = 0; c < d; ++c) solution[n * d + c] = found[static_cast<Eigen::Index>(number_[n] * d + c)];
+      for (std::size_t c = 0; c < d; ++c) solution[n * d + c] = all_[factors_->at(number_[n]) + c];
   }
   bool exact() const override { return true; }
-  long long unknowns() const override { return static_cast<long long>(all_.size()); }
-  std::size_t bytes() const override { return nonzeros_ * (sizeof(double) + sizeof(int)); }
+  long long unknowns() const override { return unknowns_; }
+  std::size_t bytes() const override { return factors_->bytes(); }
 
  private:
   Communicator ranks_;
   std::size_t dimension_ = 3;
   std::vector<std::size_t> number_;  ///< [nodes of this rank] among all nodes
+  std::unique_ptr<BlockFactors> factors_;
   std::vector<double> all_;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors_;
-  std::size_t nonzeros_ = 0;
+  long long unknowns_ = 0;
 };
 
 }  // namespace
