@@ -41,7 +41,7 @@ void ChebyshevAcceleration::estimate() {
   m_.multiply(w.data(), y.data());
   double length = std::sqrt(dot(w, y));
   std::vector<double> diagonal, side;
-  Ritz ritz{1, 1, 0};
+  Ritz ritz;
   while (length > 0 && diagonal.size() < most_products) {
     for (std::size_t u = 0; u < unknowns; ++u) {
       before[u] = v[u];
@@ -58,11 +58,14 @@ void ChebyshevAcceleration::estimate() {
     ritz = largest_ritz(diagonal, side);
     if (ritz.residual <= accuracy * std::abs(ritz.value) || length <= 1e-12 * std::abs(ritz.value)) break;
   }
+  interval_ = {};
+  if (!std::isfinite(ritz.value) || ritz.value == 0) return;
   interval_.highest = margin_above * std::abs(ritz.value);
   interval_.lowest = std::max(margin_below * ritz.least, interval_.highest / most_ratio);
 }
 
 void ChebyshevAcceleration::multiply(const double* x, double* y) const {
+  if (interval_.highest == 0) return m_.multiply(x, y);
   const std::size_t unknowns = static_cast<std::size_t>(body_.owned) * static_cast<std::size_t>(body_.dimension);
   const double middle = (interval_.highest + interval_.lowest) / 2, half = (interval_.highest - interval_.lowest) / 2;
   left_.assign(x, x + unknowns);

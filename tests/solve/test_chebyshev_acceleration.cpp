@@ -79,6 +79,26 @@ TEST(ChebyshevAcceleration, EvenNumbersOfStepsAreRefused) {
   EXPECT_THROW(Accelerated(held_cube(10, 0.499, whole), 2), std::logic_error);
 }
 
+/// A tangent that is not finite.
+struct NotANumber : solve::OwnedOperator {
+  using OwnedOperator::OwnedOperator;
+  void multiply(const double*, double* y) const override { std::fill_n(y, getDomainMap()->getNodeNumElements(), NAN); }
+};
+
+TEST(ChebyshevAcceleration, IsThePreconditionerAloneWhereThereIsNoInterval) {
+  const Accelerated of(held_cube(10, 0.499, whole));
+  const NotANumber broken(of.two_level->getDomainMap());
+  solve::ChebyshevAcceleration three(of.two_level->getDomainMap(), of.problem.scene.body(),
+                                     of.problem.boundary.prescribed(), broken, *of.two_level, 3);
+  three.estimate();
+  EXPECT_EQ(three.interval().highest, 0);
+  const Vector r = random_free_vector(of.problem, 1);
+  Vector z(r.size()), alone(r.size());
+  three.multiply(r.data(), z.data());
+  of.two_level->multiply(r.data(), alone.data());
+  EXPECT_EQ(z, alone);
+}
+
 int counted(const std::string& name, const std::string& yaml) {
   const Accelerated of(yaml);
   const int one = of.problem.iterations(*of.two_level), three = of.problem.iterations(of.steps_of);

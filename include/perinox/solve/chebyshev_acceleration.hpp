@@ -17,12 +17,12 @@ class ChebyshevAcceleration : public OwnedOperator {
   ChebyshevAcceleration(Teuchos::RCP<const tpetra::Map> map, const body::Body& body,
                         const std::vector<char>& prescribed, const OwnedOperator& k, const OwnedOperator& m, int steps);
 
-  /// The eigenvalues that the polynomial is made for. highest: 0 where there is no estimate yet.
+  /// The eigenvalues that the polynomial is made for. highest: 0 where there is no estimate.
   struct Interval {
     double lowest = 0, highest = 0;
   };
-  /// Finds the interval for M K as they are now, in at most 15 products. Needed before the first multiply().
-  /// Collective.
+  /// Finds the interval for M K as they are now, in at most 15 products. Without one (nothing is free, or K is not
+  /// finite) multiply() is M alone. Collective.
   void estimate();
   const Interval& interval() const { return interval_; }
   void set_interval(const Interval& interval) { interval_ = interval; }
