@@ -21,6 +21,7 @@
 #include "perinox/mechanics/matrix_free_tangent.hpp"
 #include "perinox/solve/boundary.hpp"
 #include "perinox/solve/chebyshev_acceleration.hpp"
+#include "perinox/solve/masked_tangent.hpp"
 
 namespace {
 
@@ -35,20 +36,6 @@ struct Options {
     const auto found = words.find(key);
     return found == words.end() ? fallback : std::stod(found->second);
   }
-};
-
-/// K on free unknowns, the identity on prescribed ones.
-struct Product : solve::OwnedOperator {
-  Product(const mechanics::Tangent& k, const std::vector<char>& held)
-      : OwnedOperator(mechanics::unknowns_map(k.scene().body())), tangent(k), fixed(held) {}
-  void multiply(const double* x, double* y) const override {
-    Vector free(x, x + tangent.scene().owned_unknowns());
-    for (std::size_t u = 0; u < free.size(); ++u) free[u] = fixed[u] ? 0 : x[u];
-    tangent.apply(free.data(), y);
-    for (std::size_t u = 0; u < free.size(); ++u) y[u] = fixed[u] ? x[u] : y[u];
-  }
-  const mechanics::Tangent& tangent;
-  const std::vector<char>& fixed;
 };
 
 std::string cloud_file(int n) {
@@ -165,7 +152,7 @@ void run(int argc, char** argv) {
   const bool one_level = options.number("level", 2) == 1;
 
   const int steps = static_cast<int>(options.number("steps", 1));
-  const Product masked(tangent, fixed);
+  const solve::MaskedTangent masked(two_level.getDomainMap(), tangent, fixed);
   solve::ChebyshevAcceleration accelerated(two_level.getDomainMap(), scene.body(), fixed, masked, two_level, steps);
   if (steps > 1) accelerated.estimate();
 

@@ -10,37 +10,11 @@
 #include "perinox/solve/chebyshev_acceleration.hpp"
 #include "perinox/solve/coarse_spacing.hpp"
 #include "perinox/solve/direct_solve.hpp"
+#include "perinox/solve/masked_tangent.hpp"
 #include "perinox/solve/timed_operator.hpp"
 #include "perinox/solve/two_level.hpp"
 
 namespace perinox::solve {
-
-/// K on the free unknowns, a diagonal on the prescribed ones.
-class TangentSystem::Masked : public OwnedOperator {
- public:
-  Masked(Teuchos::RCP<const tpetra::Map> map, const mechanics::Tangent& tangent, const std::vector<char>& prescribed)
-      : OwnedOperator(std::move(map)), tangent_(tangent), prescribed_(prescribed) {}
-
-  void multiply(const double* x, double* y) const override {
-    const std::size_t unknowns = tangent_.scene().owned_unknowns();
-    free_.assign(x, x + unknowns);
-    for (std::size_t u = 0; u < unknowns; ++u)
-      if (prescribed_[u]) free_[u] = 0;
-    tangent_.apply(free_.data(), y);
-    for (std::size_t u = 0; u < unknowns; ++u)
-      if (prescribed_[u])
-        y[u] = diagonal * x[u];
-      else if (shift > 0)
-        y[u] += shift * diagonal * x[u];
-  }
-
-  double diagonal = 1, shift = 0;
-
- private:
-  const mechanics::Tangent& tangent_;
-  const std::vector<char>& prescribed_;
-  mutable std::vector<double> free_;
-};
 
 /// An Ifpack2 preconditioner of the assembled matrix.
 struct TangentSystem::Sparse {
@@ -119,7 +93,7 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
   } else {
     tangent_ = mechanics::make_tangent(scene, solver_.form);
   }
-  masked_ = Teuchos::rcp(new Masked(map_, *tangent_, prescribed_));
+  masked_ = Teuchos::rcp(new MaskedTangent(map_, *tangent_, prescribed_));
   operator_ = masked_;
   if (assembled) {
     assembled_ = std::make_unique<mechanics::AssembledTangent>(scene, prescribed_);

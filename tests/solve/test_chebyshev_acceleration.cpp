@@ -7,6 +7,7 @@
 #include <random>
 
 #include "perinox/solve/chebyshev_acceleration.hpp"
+#include "perinox/solve/masked_tangent.hpp"
 #include "support/linear_problem.hpp"
 
 namespace perinox::testing {
@@ -21,15 +22,15 @@ const char* const fitted = "quadrature: position-aware\n";
 struct Accelerated {
   explicit Accelerated(const std::string& yaml, int steps = 3)
       : problem(yaml),
-        product(problem),
         two_level(problem.two_level()),
+        product(two_level->getDomainMap(), problem.tangent, problem.boundary.prescribed()),
         steps_of(two_level->getDomainMap(), problem.scene.body(), problem.boundary.prescribed(), product, *two_level,
                  steps) {
     steps_of.estimate();
   }
   LinearProblem problem;
-  LinearProblem::Product product;
   std::unique_ptr<solve::TwoLevel> two_level;
+  solve::MaskedTangent product;
   solve::ChebyshevAcceleration steps_of;
 };
 

@@ -46,18 +46,6 @@ struct LinearProblem {
     return made;
   }
 
-  /// The tangent on free unknowns, the identity on prescribed ones.
-  struct Product : solve::OwnedOperator {
-    explicit Product(const LinearProblem& of) : OwnedOperator(mechanics::unknowns_map(of.scene.body())), problem(of) {}
-    void multiply(const double* x, double* y) const override {
-      Vector free(x, x + problem.unknowns);
-      for (std::size_t u = 0; u < problem.unknowns; ++u) free[u] = problem.held(u) ? 0 : x[u];
-      problem.tangent.apply(free.data(), y);
-      for (std::size_t u = 0; u < problem.unknowns; ++u) y[u] = problem.held(u) ? x[u] : y[u];
-    }
-    const LinearProblem& problem;
-  };
-
   /// Iterations until the residual is 1e-8 of the right side.
   int iterations(const solve::OwnedOperator& preconditioner) const {
     Vector r = right, z(unknowns), p(unknowns, 0.0), q(unknowns);

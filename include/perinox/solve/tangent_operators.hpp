@@ -12,6 +12,7 @@ namespace perinox::solve {
 class BlockJacobi;
 class ChebyshevAcceleration;
 class DirectSolve;
+class MaskedTangent;
 class TwoLevel;
 
 /// The linear system of one scene: the tangent restricted to the free unknowns (prescribed ones carry a diagonal and
@@ -52,7 +53,6 @@ class TangentSystem {
   std::string preconditioner_name() const;
 
  private:
-  class Masked;
   struct Sparse;
   const mechanics::Scene& scene_;
   std::vector<char> prescribed_;
@@ -61,7 +61,7 @@ class TangentSystem {
   Teuchos::RCP<const tpetra::Map> map_;
   mechanics::StoredTangent* stored_ = nullptr;  ///< the tangent, if it is assembled
   std::unique_ptr<mechanics::AssembledTangent> assembled_;
-  Teuchos::RCP<Masked> masked_;
+  Teuchos::RCP<MaskedTangent> masked_;
   Teuchos::RCP<BlockJacobi> block_jacobi_;
   Teuchos::RCP<TwoLevel> two_level_;
   Teuchos::RCP<ChebyshevAcceleration> accelerated_;  ///< of one of the two; null for one step
