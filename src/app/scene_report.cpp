@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "perinox/body/overlap.hpp"
 #include "perinox/mechanics/family_loops.hpp"
 #include "perinox/solve/coarse_spacing.hpp"
 
@@ -76,7 +77,7 @@ std::string steps_choice(const deck::Solver& solver, const mechanics::Scene& sce
 
 /// Sums over the ranks that the report needs.
 struct Totals {
-  long long bonds = 0, cut = 0, ghosts = 0, point_history = 0, bond_history = 0;
+  long long bonds = 0, cut = 0, across_gaps = 0, ghosts = 0, point_history = 0, bond_history = 0;
   long long smallest = 0, largest = 0;
   double volume = 0;
 };
@@ -86,6 +87,7 @@ Totals totals_of(const mechanics::Scene& scene) {
   Totals t;
   t.bonds = ranks.sum(scene.families().directed);
   t.cut = ranks.sum(scene.families().cut);
+  t.across_gaps = ranks.sum(scene.families().across_gaps);
   t.ghosts = ranks.sum(static_cast<long long>(scene.body().ghosts));
   t.point_history = ranks.sum(static_cast<long long>(scene.point_history().back()));
   long long smallest = 1LL << 40;
@@ -153,7 +155,9 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
                                 body.total, body.total * body.dimension, t.volume, scene.families().horizon);
   report.summary += fmt::format("  {} directed bonds, {} to {} a family (mean {:.1f})", t.bonds, t.smallest, t.largest,
                                 bonds / particles);
-  report.summary += t.cut > 0 ? fmt::format(", {} cut by pre-cracks\n", t.cut) : "\n";
+  if (t.cut > 0) report.summary += fmt::format(", {} cut by pre-cracks", t.cut);
+  if (t.across_gaps > 0) report.summary += fmt::format(", {} not made across gaps", t.across_gaps);
+  report.summary += "\n";
   if (const long long deficient = ranks.sum(scene.families().deficient); deficient > 0)
     report.summary += fmt::format(
         "  {} particles have families that cannot tell all strains apart (a layer one particle thick, few bonds): they "
@@ -170,6 +174,10 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   for (const deck::BodyPart& part : deck.body)
     out += fmt::format("  {}: {} particles of {}\n", part.name,
                        ranks.sum(static_cast<long long>(body.sets.at(part.name).size())), part.material);
+  if (deck.overlap == deck::Overlap::later_wins)
+    for (const body::Overlap& overlap : body::find_overlaps(deck))
+      out += fmt::format("  {} takes about {:.4g} from {}, which it overlaps\n", deck.body[overlap.later].name,
+                         overlap.volume, deck.body[overlap.earlier].name);
   out += "materials\n";
   for (std::size_t m = 0; m < deck.materials.size(); ++m)
     out += fmt::format("  {}: {}\n", deck.materials[m].name, scene.materials()[m]->summary());

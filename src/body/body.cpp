@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "perinox/body/cloud.hpp"
 #include "perinox/body/ghosts.hpp"
@@ -11,6 +12,7 @@
 #include "perinox/body/named_sets.hpp"
 #include "perinox/body/neighbor_count.hpp"
 #include "perinox/body/neighbor_search.hpp"
+#include "perinox/body/overlap.hpp"
 #include "perinox/body/partition.hpp"
 #include "perinox/body/size.hpp"
 #include "perinox/body/spacing.hpp"
@@ -41,7 +43,9 @@ std::vector<Particle> make_particles(const deck::Deck& deck, const Communicator&
     std::vector<Particle> some;
     if (std::holds_alternative<deck::CloudFile>(deck.body[k].shape.form)) {
       together(communicator, [&] {
-        if (communicator.is_root()) some = read_cloud(deck, part, total);
+        if (!communicator.is_root()) return;
+        some = read_cloud(deck, part, total);
+        resolve_cloud_overlaps(deck, part, some);
       });
     } else {
       some = generate(deck, part, total, communicator);
@@ -135,14 +139,34 @@ std::vector<int> material_indices(const deck::Deck& deck) {
   return indices;
 }
 
-double common_spacing(const deck::Deck& deck) {
-  const double first = deck.body.front().spacing;
-  return std::all_of(deck.body.begin(), deck.body.end(),
-                     [&](const deck::BodyPart& part) {
-                       return part.spacing == first && !std::holds_alternative<deck::CloudFile>(part.shape.form);
-                     })
-             ? first
-             : 0;
+/// Of every body's own lattice, 0 for a cloud, whatever spacing its entry gives.
+std::vector<double> lattice_spacings(const deck::Deck& deck) {
+  std::vector<double> spacings;
+  for (const deck::BodyPart& part : deck.body)
+    spacings.push_back(std::holds_alternative<deck::CloudFile>(part.shape.form) ? 0 : part.spacing);
+  return spacings;
+}
+
+/// Places that differ by less than this of the spacing, or of the horizon, are taken for one (ties at the horizon,
+/// particles in a crack's plane): coordinates have to tell them apart.
+constexpr double finest_place = 1e-6;
+
+/// Far from the origin coordinates have no digits left for what is between two particles.
+void refuse_far_from_origin(const deck::Deck& deck, const Body& body) {
+  std::string sentence;
+  GlobalId id = 0;
+  for (LocalIndex i = 0; i < body.owned && sentence.empty(); ++i) {
+    if (body.rounding(i) <= finest_place * body.spacing_of(i)) continue;
+    const deck::BodyPart& part = deck.body[static_cast<std::size_t>(body.part[i])];
+    const deck::Point x = body.position3(i);
+    id = body.id[i];
+    sentence = deck::placed(
+        part.location,
+        fmt::format("the particle of the body {} at ({:g}, {:g}, {:g}) is so far from the origin that its coordinates "
+                    "are only good to {:.1g}, too coarse for the spacing {:g}; move the bodies nearer to the origin",
+                    part.name, x[0], x[1], x[2], body.rounding(i), body.spacing_of(i)));
+  }
+  refuse_first(body.communicator, id, sentence);
 }
 
 void append(Body& body, const std::vector<Particle>& particles, const std::vector<int>& materials) {
@@ -164,11 +188,15 @@ Body build(const deck::Deck& deck, const Communicator& communicator, double reac
   body.communicator = communicator;
   body.dimension = deck::unknowns(deck.dimension);
   body.reach = reach;
-  body.spacing = common_spacing(deck);
+  body.lattice_spacing = lattice_spacings(deck);
+  const std::vector<double>& spacings = body.lattice_spacing;
+  if (std::adjacent_find(spacings.begin(), spacings.end(), std::not_equal_to<>()) == spacings.end())
+    body.spacing = spacings.front();
   const std::vector<int> materials = material_indices(deck);
 
   const double memory = machine_memory(communicator);
   refuse_too_large(deck, reach, spacing, memory);
+  refuse_overlaps(deck);
   std::vector<Particle> particles = make_particles(deck, communicator);
   double volume = 0;
   for (const Particle& particle : particles) volume += particle.volume;
@@ -180,6 +208,7 @@ Body build(const deck::Deck& deck, const Communicator& communicator, double reac
   body.total = communicator.sum(static_cast<long long>(body.owned));
   append(body, share.owned, materials);
   append(body, share.ghosts, materials);
+  refuse_far_from_origin(deck, body);
   body.halo = Halo(communicator, body.id, body.owned);
   body.sets = find_sets(deck, body, spacing);
   if (report) *report = report_of(share, communicator);

@@ -20,6 +20,10 @@ double padding(double n) { return std::ceil(n / lanes) * lanes / n; }
 std::optional<CellGrid> find_grid(const body::Body& body) {
   const int local = body.local();
   if (local == 0) return std::nullopt;
+  // Bodies of one lattice, or of none: what else lies on one grid by chance does not weight its bonds alike.
+  if (body.spacing == 0 &&
+      std::any_of(body.lattice_spacing.begin(), body.lattice_spacing.end(), [](double spacing) { return spacing > 0; }))
+    return std::nullopt;
   const int d = body.dimension;
   CellGrid grid;
   grid.dimension = d;

@@ -1,6 +1,7 @@
 #include "perinox/bonds/crack_surface.hpp"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace perinox::bonds {
@@ -18,11 +19,13 @@ Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// The parallelogram that stands on a segment along z.
+double size(const Point& a) { return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]); }
+
+/// The parallelogram that stands on a segment along z, as high as the segment is long, whatever the unit is.
 deck::CrackRectangle standing(const deck::CrackSegment& segment) {
-  return {{segment.start[0], segment.start[1], -0.5},
-          {segment.end[0] - segment.start[0], segment.end[1] - segment.start[1], 0},
-          {0, 0, 1}};
+  const double x = segment.end[0] - segment.start[0], y = segment.end[1] - segment.start[1];
+  const double high = std::hypot(x, y);
+  return {{segment.start[0], segment.start[1], -high / 2}, {x, y, 0}, {0, 0, high}};
 }
 
 }  // namespace
@@ -55,11 +58,28 @@ CrackSurface::CrackSurface(const deck::Crack& crack, double tolerance) : toleran
   extent_ = (std::sqrt(dot(surface.edge1, surface.edge1)) + std::sqrt(dot(surface.edge2, surface.edge2))) / 2;
 }
 
-bool CrackSurface::covers(const Point& in_plane) const {
+/// Length: what rounding may have moved a point by, and the surface.
+double CrackSurface::rounding(const Point& point) const {
+  return 4 * std::numeric_limits<double>::epsilon() * (size(point) + size(origin_));
+}
+
+/// Above the plane; 0 in it.
+double CrackSurface::height(const Point& point) const {
+  const double above = dot(minus(point, origin_), normal_);
+  return std::abs(above) <= tolerance_ + rounding(point) ? 0 : above;
+}
+
+bool CrackSurface::covers(const Point& in_plane, double rounding) const {
   const Point away = minus(in_plane, origin_);
-  if (radius_ > 0) return std::sqrt(dot(away, away)) <= radius_ * (1 + kEdge);
+  if (radius_ > 0) return std::sqrt(dot(away, away)) <= radius_ * (1 + kEdge) + rounding;
   const double a = dot(away, dual1_), b = dot(away, dual2_);
-  return a >= -kEdge && a <= 1 + kEdge && b >= -kEdge && b <= 1 + kEdge;
+  const double slack1 = kEdge + rounding * std::sqrt(dot(dual1_, dual1_));
+  const double slack2 = kEdge + rounding * std::sqrt(dot(dual2_, dual2_));
+  return a >= -slack1 && a <= 1 + slack1 && b >= -slack2 && b <= 1 + slack2;
+}
+
+bool CrackSurface::holds(const Point& point) const {
+  return height(point) == 0 && covers(point, tolerance_ + rounding(point));
 }
 
 bool CrackSurface::within(const Point& point, double reach) const {
@@ -69,20 +89,17 @@ bool CrackSurface::within(const Point& point, double reach) const {
 }
 
 bool CrackSurface::cuts(const Point& one, const Point& other) const {
-  const auto height = [this](const Point& point) {
-    const double above = dot(minus(point, origin_), normal_);
-    return std::abs(above) <= tolerance_ ? 0.0 : above;
-  };
   double below = height(one), above = height(other);
-  if ((below < 0) == (above < 0)) return false;
+  if (below == 0 || above == 0 || (below < 0) == (above < 0)) return false;
   const Point *low = &one, *high = &other;
-  if (below >= 0) {  // always from the negative side: both directions of a bond round alike
+  if (below > 0) {  // always from the negative side: both directions of a bond round alike
     std::swap(below, above);
     std::swap(low, high);
   }
   const double share = below / (below - above);
   const Point along = minus(*high, *low);
-  return covers({(*low)[0] + share * along[0], (*low)[1] + share * along[1], (*low)[2] + share * along[2]});
+  return covers({(*low)[0] + share * along[0], (*low)[1] + share * along[1], (*low)[2] + share * along[2]},
+                rounding(*low) + rounding(*high));
 }
 
 }  // namespace perinox::bonds

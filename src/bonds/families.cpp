@@ -5,85 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 
-#include "perinox/body/neighbor_search.hpp"
-#include "perinox/body/spacing.hpp"
+#include "bond_rule.hpp"
+#include "candidates.hpp"
+#include "gaps.hpp"
 #include "perinox/body/together.hpp"
-#include "perinox/bonds/crack_surface.hpp"
+#include "pre_cracks.hpp"
 
 namespace perinox::bonds {
 
 namespace {
-
-/// The rule that makes bonds, with what it needs of the particles.
-class Rule {
- public:
-  /// grid: of the body, or null.
-  Rule(const deck::Deck& deck, const body::Body& body, double horizon, const CellGrid* grid)
-      : deck_(deck), body_(body), horizon_(horizon) {
-    edge_.reserve(body.volume.size());
-    for (const double volume : body.volume) edge_.push_back(body::edge_of(volume, body.dimension));
-    if (deck.quadrature == deck::Quadrature::position_aware) find_factor(grid);
-  }
-
-  bool may_bond(LocalIndex i, LocalIndex j) const {
-    return i != j && (deck_.bond_bodies || body_.part[i] == body_.part[j]);
-  }
-  FoundBond bond(LocalIndex i, LocalIndex j) const {
-    const double *a = body_.position(i), *b = body_.position(j);
-    double squared = 0, between[3] = {};
-    for (int c = 0; c < body_.dimension; ++c) {
-      between[c] = b[c] - a[c];
-      squared += between[c] * between[c];
-    }
-    return bond(j, between, std::sqrt(squared), (edge_[i] + edge_[j]) / 2);
-  }
-  /// between: reference bond vector, in any unit.
-  FoundBond bond(LocalIndex j, const double* between, double length, double spacing) const {
-    const double share = volume_share(deck_.quadrature, length, horizon_, spacing);
-    const double influence = influence_value(deck_.influence, length, horizon_);
-    return {j, length, share * body_.volume[j], influence * factor_(body_.dimension, between)};
-  }
-
- private:
-  /// Only where the body is one lattice on all ranks: they have to agree on every bond's weight.
-  void find_factor(const CellGrid* grid) {
-    std::optional<CellGrid> found;
-    if (!grid && body_.local() > 0) {
-      found = find_grid(body_);
-      if (found) grid = &*found;
-    }
-    double spacing = grid ? grid->spacing : 0;
-    const bool other = grid ? false : body_.local() > 0;
-    const double largest = body_.communicator.max(spacing);
-    if (body_.communicator.any(other || (grid && std::abs(spacing - largest) > 1e-10 * largest)) || largest == 0)
-      return;
-    spacing = largest;
-    const int r = static_cast<int>(horizon_ / spacing * (1 + 1e-10)), flat = body_.dimension == 3 ? r : 0;
-    for (int z = -flat; z <= flat; ++z)
-      for (int y = -r; y <= r; ++y)
-        for (int x = -r; x <= r; ++x) {
-          const double step[3] = {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-          const double length = spacing * std::sqrt(step[0] * step[0] + step[1] * step[1] + step[2] * step[2]);
-          if (length == 0) continue;
-          factor_.add(body_.dimension, step,
-                      volume_share(deck_.quadrature, length, horizon_, spacing) *
-                          influence_value(deck_.influence, length, horizon_) * length * length);
-        }
-    factor_.finish();
-  }
-
-  const deck::Deck& deck_;
-  const body::Body& body_;
-  double horizon_;
-  std::vector<double> edge_;  ///< [owned + ghosts] V^(1/d), length
-  CubicFactor factor_;
-};
-
-/// Its contribution to the weighted volume; a bond without one carries nothing and is left out.
-double moment(const FoundBond& bond) { return bond.influence * bond.length * bond.length * bond.weight; }
 
 /// Fourth moments of the families, for those that need a fit or a factor.
 class Fits {
@@ -113,7 +45,7 @@ class Fits {
       return;
     }
     Moment made;
-    const FamilyKind kind = make_moment(d, sums, made);
+    const FamilyKind kind = make_moment(d, sums, 8 * body_.rounding(i) / body_.spacing_of(i), made);
     if (kind == FamilyKind::deficient) ++families_.deficient;
     if (kind != FamilyKind::irregular) return;
     families_.fit[i] = static_cast<std::int32_t>(families_.moments.size());
@@ -128,127 +60,6 @@ class Fits {
   bool wanted_, scaled_;
   const body::Body& body_;
   Families& families_;
-};
-
-/// Possible bonds of a particle, in ascending id of the neighbour.
-class Candidates {
- public:
-  virtual ~Candidates() = default;
-  virtual void find(LocalIndex i, std::vector<FoundBond>& found) = 0;
-};
-
-/// By a k-d tree.
-class Search : public Candidates {
- public:
-  Search(const body::Body& body, const Rule& rule, double reach)
-      : body_(body), rule_(rule), reach_(reach), tree_(body.reference, body.dimension) {}
-  void find(LocalIndex i, std::vector<FoundBond>& found) override {
-    found.clear();
-    tree_.within(body_.position(i), reach_, near_);
-    if (body_.ghosts > 0)
-      std::sort(near_.begin(), near_.end(), [&](LocalIndex a, LocalIndex b) { return body_.id[a] < body_.id[b]; });
-    for (const LocalIndex j : near_) {
-      if (!rule_.may_bond(i, j)) continue;
-      const FoundBond bond = rule_.bond(i, j);
-      if (moment(bond) > 0) found.push_back(bond);
-    }
-  }
-
- private:
-  const body::Body& body_;
-  const Rule& rule_;
-  double reach_;
-  body::NeighborSearch tree_;
-  std::vector<LocalIndex> near_;
-};
-
-/// On a lattice every particle has the same candidates: the bonds are worked out once.
-class Stencil : public Candidates {
- public:
-  Stencil(const body::Body& body, const Rule& rule, double reach, const CellGrid& grid)
-      : body_(body), rule_(rule), grid_(grid) {
-    const int r = static_cast<int>(reach / grid.spacing * (1 + 1e-10));
-    const int flat = grid.dimension == 3 ? r : 0;
-    for (int z = -flat; z <= flat; ++z)
-      for (int y = -r; y <= r; ++y)
-        for (int x = -r; x <= r; ++x) {
-          if (x == 0 && y == 0 && z == 0) continue;
-          const double length = grid.spacing * std::sqrt(static_cast<double>(x * x + y * y + z * z));
-          if (length > reach * (1 + 1e-10)) continue;
-          const double between[3] = {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
-          FoundBond bond = rule.bond(0, between, length, grid.spacing);
-          if (moment(bond) <= 0) continue;
-          bond.weight /= body.volume[0];  // the share, until the neighbour is known
-          steps_.push_back({x, y, z});
-          bonds_.push_back(bond);
-        }
-  }
-  void find(LocalIndex i, std::vector<FoundBond>& found) override {
-    found.clear();
-    const auto at = grid_.position(grid_.cell[i]);
-    bool ascending = true;
-    for (std::size_t k = 0; k < steps_.size(); ++k) {
-      const LocalIndex j = grid_.neighbor(at, steps_[k]);
-      if (j < 0 || !rule_.may_bond(i, j)) continue;
-      ascending = ascending && (found.empty() || body_.id[found.back().neighbor] < body_.id[j]);
-      found.push_back(bonds_[k]);
-      found.back().neighbor = j;
-      found.back().weight *= body_.volume[j];
-    }
-    if (ascending) return;
-    std::sort(found.begin(), found.end(),
-              [&](const FoundBond& a, const FoundBond& b) { return body_.id[a.neighbor] < body_.id[b.neighbor]; });
-  }
-
- private:
-  const body::Body& body_;
-  const Rule& rule_;
-  const CellGrid& grid_;
-  std::vector<std::array<int, 3>> steps_;
-  std::vector<FoundBond> bonds_;
-};
-
-/// The pre-cracks, and how many bonds each has cut.
-class Cracks {
- public:
-  Cracks(const deck::Deck& deck, const body::Body& body, double horizon, double reach) : deck_(deck), body_(body) {
-    for (const deck::Crack& crack : deck.cracks) {
-      surfaces_.emplace_back(crack, 1e-9 * horizon);
-      cut_by_.push_back(0);
-    }
-    reach_ = reach * (1 + 1e-6);
-  }
-  /// Which surfaces come near particle i.
-  void approach(LocalIndex i) {
-    near_.clear();
-    for (std::size_t k = 0; k < surfaces_.size(); ++k)
-      if (surfaces_[k].within(body_.position3(i), reach_)) near_.push_back(k);
-  }
-  bool cut(LocalIndex i, LocalIndex j) {
-    bool any = false;
-    for (const std::size_t k : near_) {
-      if (!surfaces_[k].cuts(body_.position3(i), body_.position3(j))) continue;
-      ++cut_by_[k];
-      any = true;
-    }
-    return any;
-  }
-  void refuse_idle() const {
-    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-      if (body_.communicator.sum(cut_by_[k]) > 0) continue;
-      deck::refuse(deck_.cracks[k].location,
-                   "this crack cuts no bond; move it into the body, make it larger than the "
-                   "spacing, or take it out");
-    }
-  }
-
- private:
-  const deck::Deck& deck_;
-  const body::Body& body_;
-  double reach_ = 0;
-  std::vector<CrackSurface> surfaces_;
-  std::vector<long long> cut_by_;
-  std::vector<std::size_t> near_;
 };
 
 /// The first particle without a family cannot carry any force: the system would be singular.
@@ -289,13 +100,11 @@ Families find_families(const deck::Deck& deck, const body::Body& body, double ho
       body.reach > 0 ? body.reach : reach(deck, horizon, body::largest_spacing(deck, body.communicator));
   if (within < horizon * (1 - 1e-12)) throw std::logic_error("the body was built with a reach below the horizon");
 
-  const Rule rule(deck, body, horizon, grid);
-  std::unique_ptr<Candidates> candidates;
-  if (grid)
-    candidates = std::make_unique<Stencil>(body, rule, within, *grid);
-  else
-    candidates = std::make_unique<Search>(body, rule, within);
-  Cracks cracks(deck, body, horizon, within);
+  BondRule rule(deck, body, horizon);
+  if (!grid) rule.prepare();
+  const std::unique_ptr<Candidates> candidates = make_candidates(body, rule, within, grid);
+  const Gaps gaps(deck, body, horizon, within);
+  PreCracks cracks(deck, body, horizon, within);
   const auto owned = static_cast<std::size_t>(body.owned);
   families.size.resize(owned);
   families.weighted_volume.resize(owned);
@@ -304,6 +113,7 @@ Families find_families(const deck::Deck& deck, const body::Body& body, double ho
   std::vector<FoundBond> found, whole;
   for (const LocalIndex i : order) {
     candidates->find(i, found);
+    families.across_gaps += gaps.remove(i, found);
     cracks.approach(i);
     double uncut = 0, remaining = 0;
     whole.clear();
@@ -324,7 +134,7 @@ Families find_families(const deck::Deck& deck, const body::Body& body, double ho
     receive(i, whole);
   }
   fits.finish();
-  cracks.refuse_idle();
+  cracks.refuse_unclear();
   refuse_lonely(deck, body, families);
   return families;
 }

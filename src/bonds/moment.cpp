@@ -41,7 +41,7 @@ double deviatoric_volume(int dimension, const std::array<double, 36>& sums) {
   return std::max(d * (d + 2) * mean / 2, least_share * m);
 }
 
-FamilyKind make_moment(int dimension, const std::array<double, 36>& sums, Moment& moment) {
+FamilyKind make_moment(int dimension, const std::array<double, 36>& sums, double rounding, Moment& moment) {
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 6, 6>;
   using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
   const int n = mandel_size(dimension);
@@ -51,7 +51,7 @@ FamilyKind make_moment(int dimension, const std::array<double, 36>& sums, Moment
   const Column second = all * one;
   const double m = one.dot(second);
   const Square even = m / (dimension * (dimension + 2)) * (one * one.transpose() + 2 * Square::Identity(n, n));
-  if (!((all - even).norm() > isotropic * m)) return FamilyKind::isotropic;
+  if (!((all - even).norm() > (isotropic + rounding) * m)) return FamilyKind::isotropic;
   const Eigen::SelfAdjointEigenSolver<Square> values(all);
   if (!(values.eigenvalues()[0] > singular * values.eigenvalues()[n - 1])) return FamilyKind::deficient;
   moment.dimension = dimension;

@@ -16,7 +16,8 @@ constexpr double kSliver = 1e-9;  ///< a share below this is rounding: the cell 
 }  // namespace
 
 double reach(const deck::Deck& deck, double horizon, double largest_spacing) {
-  return deck.quadrature == deck::Quadrature::partial_volume ? horizon + largest_spacing / 2 : horizon;
+  constexpr double for_rounding = 1 + 1e-6;
+  return for_rounding * (deck.quadrature == deck::Quadrature::partial_volume ? horizon + largest_spacing / 2 : horizon);
 }
 
 double influence_value(deck::Influence influence, double length, double horizon) {

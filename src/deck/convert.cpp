@@ -20,6 +20,14 @@ BodyPart convert_body(const Value& value, Dimension dimension) {
   part.name = value.at("name").text();
   part.material = value.at("material").text();
   part.shape = convert_shape(value.at("shape"), dimension);
+  if (value.has("outline")) {
+    if (!std::holds_alternative<CloudFile>(part.shape.form))
+      refuse(value.at("outline").location(),
+             fmt::format("the body {} has a shape, which is its outline; leave outline out", part.name));
+    part.outline = convert_shape(value.at("outline"), dimension);
+    if (std::holds_alternative<CloudFile>(part.outline->form))
+      refuse(value.at("outline").location(), "an outline is a shape, not another point cloud; write a box or the like");
+  }
   if (value.has("spacing")) {
     part.spacing = value.at("spacing").number();
   } else if (!std::holds_alternative<CloudFile>(part.shape.form)) {
@@ -40,6 +48,25 @@ void convert_boundary_cells(const Value& word, Quadrature quadrature, BodyPart& 
            "boundary_cells: cut needs quadrature: position-aware, which makes up for uneven volumes; "
            "change one of the two");
   part.cut_cells = word.text() != "whole" && quadrature == Quadrature::position_aware && !cloud;
+}
+
+/// Takes every later body's shape from the earlier ones.
+void let_later_bodies_win(std::vector<BodyPart>& bodies) {
+  const auto region = [](const BodyPart& part) -> const Shape* {
+    if (!std::holds_alternative<CloudFile>(part.shape.form)) return part.as_written ? &*part.as_written : &part.shape;
+    return part.outline ? &*part.outline : nullptr;
+  };
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const bool cloud = std::holds_alternative<CloudFile>(bodies[k].shape.form);
+    if (cloud && !bodies[k].outline) continue;  // its particles are sorted out one by one
+    Shape& own = cloud ? *bodies[k].outline : bodies[k].shape;
+    Difference rest{{own}};
+    for (std::size_t later = k + 1; later < bodies.size(); ++later)
+      if (const Shape* shape = region(bodies[later])) rest.parts.push_back(*shape);
+    if (rest.parts.size() == 1) continue;
+    bodies[k].as_written = own;
+    own.form = std::move(rest);
+  }
 }
 
 Horizon convert_horizon(const Value& value) {
@@ -213,7 +240,10 @@ Deck convert(Value checked, const std::string& file) {
   deck.title = checked.at("title").text();
   deck.dimension = convert_word<Dimension>(checked, "dimension", words::dimension);
   for (const Value& part : checked.at("body").items()) deck.body.push_back(convert_body(part, deck.dimension));
+  deck.overlap = convert_word<Overlap>(checked, "overlap", words::overlap);
+  if (deck.overlap == Overlap::later_wins) let_later_bodies_win(deck.body);
   deck.bond_bodies = checked.at("bond_bodies").boolean();
+  deck.across_gaps = convert_word<AcrossGaps>(checked.at("bonds"), "across_gaps", words::across_gaps);
   deck.horizon = convert_horizon(checked.at("horizon"));
   deck.influence = convert_word<Influence>(checked, "influence", words::influence);
   deck.quadrature = convert_word<Quadrature>(checked, "quadrature", words::quadrature);

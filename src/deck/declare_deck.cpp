@@ -16,6 +16,19 @@ Key declare_horizon() {
   return key;
 }
 
+Key declare_bonds() {
+  Key key = map_key(
+      "bonds", "Which bonds are made.",
+      {word_key("across_gaps", words::across_gaps, "cut",
+                "Bonds more than 0.3 spacings of whose straight line lie outside the bodies' shapes, as across a slit, "
+                "a notch or the gap between two bodies: not made (cut), or made like all others (keep). With "
+                "bond_bodies: false the shape is that of the bond's own body. The shape of a point cloud is its "
+                "outline; without one its bonds are kept.")});
+  key.fallback = "{}";
+  key.example = "bonds: {across_gaps: keep}";
+  return key;
+}
+
 Key declare_materials(const std::vector<ModelDeclaration>& models) {
   std::vector<std::string> names;
   for (const ModelDeclaration& model : models) names.push_back(model.name);
@@ -121,12 +134,18 @@ Key declare_deck(const std::vector<ModelDeclaration>& models) {
   quadrature.example = "quadrature: partial-volume";
   Key bond_bodies = boolean_key("bond_bodies", true, "Particles of different bodies form bonds.");
   bond_bodies.example = "bond_bodies: false";
+  Key overlap = word_key("overlap", words::overlap, "refuse",
+                         "Where shapes of two bodies overlap: the deck is refused, or the body that comes later in the "
+                         "list takes that part from the earlier one.");
+  overlap.example = "overlap: later-wins";
   title.example = "title: block in tension";
   Key root = map_key("", "The deck.",
                      {title,
                       dimension,
                       declare_body(),
+                      overlap,
                       bond_bodies,
+                      declare_bonds(),
                       declare_horizon(),
                       influence,
                       quadrature,

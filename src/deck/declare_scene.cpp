@@ -55,6 +55,11 @@ Key declare_shape() {
 Key declare_body() {
   Key shape = required(choice_key("shape", "The region filled with particles: exactly one of the shapes.", {}));
   shape.reference = "shape";
+  Key outline = choice_key("outline",
+                           "Of a point cloud: the shape that its particles fill, so that bonds across its slits and "
+                           "notches are found (bonds: {across_gaps: cut}).",
+                           {});
+  outline.reference = "shape";
   Key element = map_key(
       "", "One body.",
       {required(text_key("name", "Name of the body; sets, loads and histories may refer to it.")), shape,
@@ -64,7 +69,8 @@ Key declare_body() {
            "boundary_cells", words::boundary_cells, "auto",
            "Cells of the lattice that the shape's surface cuts: by the part of them that is inside (cut), or whole "
            "if their centre is inside and not at all otherwise (whole); auto is cut with quadrature "
-           "position-aware, which alone can do with it, and whole with the others.")});
+           "position-aware, which alone can do with it, and whole with the others."),
+       outline});
   element.place = "a body";
   Key key = required(list_key("body", "The bodies, each filled with particles.", element));
   key.minimum_items = 1;
@@ -96,7 +102,10 @@ Key declare_cracks() {
                         {point_key("start", "length", "One end."), point_key("end", "length", "The other end.")});
   Key element = choice_key("", "One crack.", {rectangle, disc, segment});
   element.place = "a crack";
-  Key key = list_key("cracks", "Cuts that are there from the start: bonds that cross one are never made.", element);
+  Key key = list_key("cracks",
+                     "Cuts that are there from the start: bonds that cross one, or touch its edge, are never made. A "
+                     "crack may not run through the centre of a particle, which would be on neither side of it.",
+                     element);
   key.fallback = "[]";
   key.example = "cracks:\n  - disc: {center: [5, 5, 15], normal: [0, 0, 1], radius: 2}";
   return key;

@@ -13,6 +13,8 @@ inline const std::vector<std::string> boundary_cells{"auto", "cut", "whole"};
 inline const std::vector<std::string> deformation{"finite", "small"};
 inline const std::vector<std::string> quadrature{"whole", "partial-volume", "taper-inside", "position-aware",
                                                  "surface-energy"};
+inline const std::vector<std::string> across_gaps{"cut", "keep"};
+inline const std::vector<std::string> overlap{"refuse", "later-wins"};
 inline const std::vector<std::string> tangent_kind{"auto", "matrix-free", "assembled"};
 inline const std::vector<std::string> tangent_form{"consistent", "printed"};
 inline const std::vector<std::string> line_search{"backtrack", "full-step"};

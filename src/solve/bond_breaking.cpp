@@ -22,12 +22,14 @@ BondBreaking::BondBreaking(const deck::Deck& deck, mechanics::Scene& scene)
   body.halo.update_ghosts(mark.data(), 1);
   std::transform(mark.begin(), mark.end(), unbreakable_.begin(), [](double m) { return static_cast<char>(m != 0); });
   bonds_ = body.communicator.sum(scene.families().directed) / 2;
-  for (std::size_t m = 0; m < limits_.size(); ++m) {
-    energies_ = energies_ || limits_[m].kind == BondLimit::Kind::energy;
-    const std::vector<std::string> names = scene.materials()[m]->history().point;
+  for (const BondLimit& limit : limits_) {
+    energies_ = energies_ || limit.kind == BondLimit::Kind::energy;
+    ductile_ = ductile_ || limit.kind == BondLimit::Kind::ductile;
+  }
+  for (const auto& material : scene.materials()) {
+    const std::vector<std::string> names = material->history().point;
     strain_place_.push_back(
         static_cast<std::size_t>(std::find(names.begin(), names.end(), "equivalent_plastic_strain") - names.begin()));
-    ductile_ = ductile_ || limits_[m].kind == BondLimit::Kind::ductile;
   }
   if (ductile_) stress_ = std::make_unique<mechanics::Stress>(scene);
 }
@@ -44,13 +46,13 @@ void BondBreaking::find_points(const mechanics::Committed& state) {
   stress_->evaluate(state);
   failure_.assign(static_cast<std::size_t>(scene_.local()), -1.0);
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
-    const auto m = static_cast<std::size_t>(body.material[i]);
-    if (limits_[m].kind != BondLimit::Kind::ductile) continue;
-    const double strain = state.point_history(scene_, i)[strain_place_[m]];
+    const BondLimit& limit = limits_[static_cast<std::size_t>(body.part[i])];
+    if (limit.kind != BondLimit::Kind::ductile) continue;
+    const double strain = state.point_history(scene_, i)[strain_place_[static_cast<std::size_t>(body.material[i])]];
     const double* s = &stress_->stress()[6 * static_cast<std::size_t>(i)];
     const double von_mises = stress_->von_mises()[i];
     const double triaxiality = von_mises > 0 ? (s[0] + s[3] + s[5]) / (3 * von_mises) : 0;
-    failure_[i] = strain / (limits_[m].ductile.strain * std::exp(-limits_[m].ductile.slope * triaxiality));
+    failure_[i] = strain / (limit.ductile.strain * std::exp(-limit.ductile.slope * triaxiality));
   }
   body.halo.update_ghosts(failure_.data(), 1);
 }
@@ -77,8 +79,8 @@ double BondBreaking::energy(LocalIndex lower, LocalIndex upper, double length, d
 double BondBreaking::ratio(LocalIndex lower, LocalIndex upper, double length, double weight,
                            const double* displacement) const {
   const body::Body& body = scene_.body();
-  const BondLimit* ends[2] = {&limits_[static_cast<std::size_t>(body.material[lower])],
-                              &limits_[static_cast<std::size_t>(body.material[upper])]};
+  const BondLimit* ends[2] = {&limits_[static_cast<std::size_t>(body.part[lower])],
+                              &limits_[static_cast<std::size_t>(body.part[upper])]};
   const int d = scene_.dimension();
   double square = 0, change = 0;  // |Y|^2 - xi^2 = (2 X + U) . U without cancellation
   for (int c = 0; c < d; ++c) {

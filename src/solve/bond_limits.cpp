@@ -77,21 +77,37 @@ double lattice_toughness(const deck::Deck& deck, double horizon, double spacing)
   return measured.back().second;
 }
 
-/// Largest spacing of the lattices made of a material; 0 if one of its bodies is a cloud.
-double spacing_of(const deck::Deck& deck, const deck::Material& material) {
-  double largest = 0;
-  for (const deck::BodyPart& part : deck.body) {
-    if (part.material != material.name) continue;
-    if (std::holds_alternative<deck::CloudFile>(part.shape.form)) return 0;
-    largest = std::max(largest, part.spacing);
+std::size_t material_of(const deck::Deck& deck, const deck::BodyPart& part) {
+  const auto found = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                  [&](const deck::Material& material) { return material.name == part.material; });
+  return static_cast<std::size_t>(found - deck.materials.begin());
+}
+
+/// What is said of a limit; "" of one that never breaks.
+std::string in_words(const BondLimit& limit) {
+  switch (limit.kind) {
+    case BondLimit::Kind::none:
+      return "";
+    case BondLimit::Kind::stretch:
+      return fmt::format("bonds break at a stretch of {:.6g}", limit.limit);
+    case BondLimit::Kind::energy:
+      return fmt::format("bonds break at {:.6g} energy a volume squared{}", limit.limit,
+                         limit.toughness == 1
+                             ? std::string()
+                             : fmt::format(", those of G_c/{:.3g}: a crack in a lattice takes more than its bonds hold",
+                                           limit.toughness));
+    case BondLimit::Kind::ductile:
+      return fmt::format("bonds break at a plastic strain of {:g} exp(-{:g} triaxiality)", limit.ductile.strain,
+                         limit.ductile.slope);
   }
-  return largest;
+  return "";
 }
 
 bool flows(const materials::Material& material) { return material.history().per_bond > 0; }
 
+/// spacing: of the body's lattice; 0: a cloud.
 BondLimit limit_of(const deck::Deck& deck, const deck::Material& said, const mechanics::Scene& scene,
-                   const materials::Material& material) {
+                   const materials::Material& material, double spacing) {
   if (!said.damage) return {};
   const deck::Damage& damage = *said.damage;
   if (!material.from_sums())
@@ -119,14 +135,14 @@ BondLimit limit_of(const deck::Deck& deck, const deck::Material& said, const mec
   const bool stretch = damage.criterion == deck::BreakCriterion::stretch ||
                        (damage.criterion == deck::BreakCriterion::automatic && flows(material));
   const double d = scene.dimension();
-  const CrossedBonds crossed = crossed_bonds(deck, scene.families().horizon, spacing_of(deck, said));
+  const CrossedBonds crossed = crossed_bonds(deck, scene.families().horizon, spacing);
   if (stretch)
     return {BondLimit::Kind::stretch,
             std::sqrt(*damage.energy_release_rate * crossed.weighted_volume /
                       (d * d * material.elastic_moduli(scene.dimension()).bulk * crossed.square)),
             {}};
   refuse_energy("take criterion: stretch");
-  const double toughness = lattice_toughness(deck, scene.families().horizon, spacing_of(deck, said));
+  const double toughness = lattice_toughness(deck, scene.families().horizon, spacing);
   return {BondLimit::Kind::energy, *damage.energy_release_rate / (crossed.count * toughness), {}, toughness};
 }
 
@@ -138,28 +154,26 @@ CrossedBonds crossed_bonds(const deck::Deck& deck, double horizon, double spacin
 
 std::vector<BondLimit> bond_limits(const deck::Deck& deck, const mechanics::Scene& scene) {
   std::vector<BondLimit> limits;
-  for (std::size_t m = 0; m < deck.materials.size(); ++m)
-    limits.push_back(limit_of(deck, deck.materials[m], scene, *scene.materials()[m]));
+  for (std::size_t part = 0; part < deck.body.size(); ++part) {
+    const std::size_t m = material_of(deck, deck.body[part]);
+    limits.push_back(
+        limit_of(deck, deck.materials[m], scene, *scene.materials()[m], scene.body().lattice_spacing[part]));
+  }
   return limits;
 }
 
 std::vector<std::string> describe(const std::vector<BondLimit>& limits, const deck::Deck& deck) {
   std::vector<std::string> lines;
-  for (std::size_t m = 0; m < limits.size(); ++m) {
-    const BondLimit& limit = limits[m];
-    const std::string& name = deck.materials[m].name;
-    if (limit.kind == BondLimit::Kind::stretch)
-      lines.push_back(fmt::format("{}: bonds break at a stretch of {:.6g}", name, limit.limit));
-    if (limit.kind == BondLimit::Kind::energy)
-      lines.push_back(
-          fmt::format("{}: bonds break at {:.6g} energy a volume squared{}", name, limit.limit,
-                      limit.toughness == 1
-                          ? std::string()
-                          : fmt::format(", those of G_c/{:.3g}: a crack in a lattice takes more than its bonds hold",
-                                        limit.toughness)));
-    if (limit.kind == BondLimit::Kind::ductile)
-      lines.push_back(fmt::format("{}: bonds break at a plastic strain of {:g} exp(-{:g} triaxiality)", name,
-                                  limit.ductile.strain, limit.ductile.slope));
+  for (const deck::Material& material : deck.materials) {
+    std::vector<std::pair<std::string, std::string>> said;  // body, what is said of it
+    for (std::size_t part = 0; part < limits.size(); ++part)
+      if (deck.body[part].material == material.name && limits[part].kind != BondLimit::Kind::none)
+        said.emplace_back(deck.body[part].name, in_words(limits[part]));
+    const bool alike =
+        std::all_of(said.begin(), said.end(), [&](const auto& one) { return one.second == said[0].second; });
+    for (std::size_t k = 0; k < (alike ? std::min<std::size_t>(1, said.size()) : said.size()); ++k)
+      lines.push_back(alike ? fmt::format("{}: {}", material.name, said[k].second)
+                            : fmt::format("{} in {}: {}", material.name, said[k].first, said[k].second));
   }
   return lines;
 }

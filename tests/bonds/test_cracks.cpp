@@ -64,22 +64,26 @@ TEST(Cracks, FlatBodiesAreCutWhereTheSurfaceMeetsTheirPlane) {
   for (const auto& neighbors : found) EXPECT_EQ(neighbors, found[0]);
 }
 
-/// The stated rule: a particle in the plane belongs to the side of the normal.
-TEST(Cracks, AParticleInThePlaneBelongsToTheNormalsSide) {
+/// A point on the surface would be on neither side; bonds of points in its plane beyond it are whole.
+TEST(Cracks, APointOnTheSurfaceIsOnNeitherSide) {
   const CrackSurface disc(crack_of(deck::CrackDisc{{0, 0, 0}, {0, 0, 2}, 1}), 1e-9);
-  EXPECT_FALSE(disc.cuts({0, 0, 0}, {0, 0, 1}));
-  EXPECT_TRUE(disc.cuts({0, 0, 0}, {0, 0, -1}));
-  EXPECT_TRUE(disc.cuts({0, 0, -1}, {0, 0, 0}));
-  EXPECT_FALSE(disc.cuts({0, 0, 0}, {0.5, 0, 0}));     // within the plane
-  EXPECT_FALSE(disc.cuts({0, 0, -1e-12}, {0, 0, 1}));  // in the plane up to rounding
-  EXPECT_TRUE(disc.cuts({0, 0, -1e-12}, {0, 0, -1}));
-  const CrackSurface rectangle(crack_of(deck::CrackRectangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), 1e-9);
-  EXPECT_FALSE(rectangle.cuts({0.5, 0.5, 0}, {0.5, 0.5, 1}));
-  EXPECT_TRUE(rectangle.cuts({0.5, 0.5, 0}, {0.5, 0.5, -1}));
-  // A segment going along x: its right-hand side is -y.
-  const CrackSurface segment(crack_of(deck::CrackSegment{{0, 0, 0}, {1, 0, 0}}), 1e-9);
-  EXPECT_FALSE(segment.cuts({0.5, 0, 0}, {0.5, -1, 0}));
-  EXPECT_TRUE(segment.cuts({0.5, 0, 0}, {0.5, 1, 0}));
+  EXPECT_TRUE(disc.holds({0, 0, 0}));
+  EXPECT_TRUE(disc.holds({0, 0, 1e-12}));  // up to rounding
+  EXPECT_TRUE(disc.holds({0.6, 0.8, 0}));  // on the edge
+  EXPECT_FALSE(disc.holds({0, 0, 1e-6}));
+  EXPECT_FALSE(disc.holds({0.6, 0.81, 0}));
+  EXPECT_FALSE(disc.cuts({0.6, 0.81, 0}, {0, 0, 1}));
+  EXPECT_FALSE(disc.cuts({0.6, 0.81, 0}, {0, 0, -1}));
+  EXPECT_FALSE(disc.cuts({-2, 0, 0}, {2, 0, 0}));  // along the plane, across the disc
+  for (const double side : {1.0, -1.0}) {          // from either end of the segment
+    const CrackSurface segment(crack_of(deck::CrackSegment{{0.5 - side / 2, 0, 0}, {0.5 + side / 2, 0, 0}}), 1e-9);
+    EXPECT_TRUE(segment.holds({0.5, 0, 0}));
+    EXPECT_TRUE(segment.holds({1, 0, 0}));
+    EXPECT_FALSE(segment.holds({1.1, 0, 0}));
+    EXPECT_FALSE(segment.cuts({1.1, 0, 0}, {0.5, -1, 0}));
+    EXPECT_FALSE(segment.cuts({1.1, 0, 0}, {0.5, 1, 0}));
+    EXPECT_TRUE(segment.cuts({0.5, -1, 0}, {0.5, 1, 0}));
+  }
 }
 
 TEST(Cracks, TheEdgeCutsAndBeyondItNothing) {
@@ -117,19 +121,72 @@ TEST(Cracks, BothDirectionsAgree) {
   EXPECT_GT(cut, 1000);
 }
 
-/// A crack through a layer of particle centres: the whole layer goes with one side, none of its bonds hangs loose.
-TEST(Cracks, ThroughALayerOfCentresLeavesAWholeLayer) {
-  for (const double spacing : {1.0, 0.1, 1e-3 / 3}) {
-    deck::Deck deck = cube(7 * spacing, spacing);
-    const double far = 8 * spacing;
-    add_crack(deck, deck::CrackRectangle{{-spacing, -spacing, 3.5 * spacing}, {far, 0, 0}, {0, far, 0}});
-    const auto cracked = build_bonds(deck);
-    deck::Deck lower =
-        deck_of(deck::Box{{0, 0, 0}, {7 * spacing, 7 * spacing, 3 * spacing}}, deck::Dimension::three, spacing);
-    deck::Deck upper =
-        deck_of(deck::Box{{0, 0, 0}, {7 * spacing, 7 * spacing, 4 * spacing}}, deck::Dimension::three, spacing);
-    EXPECT_EQ(cracked.bonds.count(), build_bonds(lower).bonds.count() + build_bonds(upper).bonds.count()) << spacing;
-  }
+/// Directed bonds of a 12 by 12 lattice of spacing 1 that cross the segment (off, 0)-(6 + off, 6), from the signs of
+/// cross products.
+long long crossing_a_diagonal(double off) {
+  const auto above = [&](double x, double y) { return y - (x - off) > 0; };
+  long long count = 0;
+  for (int i = 0; i < 144; ++i)
+    for (int j = 0; j < 144; ++j) {
+      const double ax = i % 12 + 0.5, ay = i / 12 + 0.5, bx = j % 12 + 0.5, by = j / 12 + 0.5;
+      if (i == j || std::hypot(bx - ax, by - ay) > 3.015 || above(ax, ay) == above(bx, by)) continue;
+      // The ends of the segment lie on different sides of the bond's line, or on it.
+      const double start = (bx - ax) * (0 - ay) - (by - ay) * (off - ax);
+      const double end = (bx - ax) * (6 - ay) - (by - ay) * (6 + off - ax);
+      if (start * end <= 0) ++count;
+    }
+  return count;
+}
+
+/// A crack through particle centres would take one side or the other by a rounding: it is refused wherever it lies and
+/// however it is written, and a quarter of a spacing off it is not.
+TEST(Cracks, ThroughCentresAreRefused) {
+  const double far_x = 500000.5, far_y = 4600000.5;
+  const long long crossing = crossing_a_diagonal(0.25);
+  EXPECT_GT(crossing, 100);
+  for (const double spacing : {1.0, 0.1, 1e-12, 1e-3 / 3})
+    for (const bool far : {false, true})
+      for (const bool swapped : {false, true}) {
+        if (far && spacing != 0.1 && spacing != 1) continue;
+        const double x = far ? far_x : 0, y = far ? far_y : 0, edge = 12 * spacing;
+        const auto cracked = [&](double off) {
+          deck::Deck deck =
+              deck_of(deck::Box{{x, y, 0}, {x + edge, y + edge, 0}}, deck::Dimension::plane_stress, spacing);
+          deck::CrackSegment segment{{x + off, y, 0}, {x + edge / 2 + off, y + edge / 2, 0}};
+          if (swapped) std::swap(segment.start, segment.end);
+          add_crack(deck, segment);
+          return deck;
+        };
+        EXPECT_THAT(refusal([&] { build_bonds(cracked(0)); }),
+                    StartsWith("deck.yaml:30:5: this crack runs through the centre of particle 0 at ("))
+            << spacing << far << swapped;
+        EXPECT_EQ(build_bonds(cracked(0.25 * spacing)).bonds.cut, crossing) << spacing << far << swapped;
+      }
+  EXPECT_THAT(refusal([] {
+                deck::Deck deck = cube(7);
+                add_crack(deck, deck::CrackRectangle{{-1, -1, 3.5}, {8, 0, 0}, {0, 8, 0}});
+                build_bonds(deck);
+              }),
+              StartsWith("deck.yaml:30:5: this crack runs through the centre of particle 147 at (0.5, 0.5, 3.5) and of "
+                         "48 more, which would be on neither side of it; move the crack by a part of the spacing, for "
+                         "example by 0.25 along its normal (0, 0, 1)"));
+}
+
+/// Two cracks that meet part a plate, from whichever ends they are written.
+TEST(Cracks, TwoThatMeetPartThePlate) {
+  deck::Deck whole = square(13);
+  add_crack(whole, deck::CrackSegment{{-1, 6, 0}, {14, 6, 0}});
+  const auto parted = build_bonds(whole);
+  deck::Deck two = square(13);
+  add_crack(two, deck::CrackSegment{{-1, 6, 0}, {6.3, 6, 0}});
+  add_crack(two, deck::CrackSegment{{14, 6, 0}, {6.3, 6, 0}});
+  const auto both = build_bonds(two);
+  EXPECT_EQ(both.bonds.neighbor, parted.bonds.neighbor);
+  deck::Deck through = square(13);
+  add_crack(through, deck::CrackSegment{{-1, 6.5, 0}, {6, 6.5, 0}});
+  add_crack(through, deck::CrackSegment{{13, 6.5, 0}, {6, 6.5, 0}});
+  EXPECT_THAT(refusal([&] { build_bonds(through); }),
+              StartsWith("deck.yaml:30:5: this crack runs through the centre of particle 78 at (0.5, 6.5, 0)"));
 }
 
 TEST(Cracks, Refusals) {

@@ -18,7 +18,10 @@ struct Body {
   int ghosts = 0;
   GlobalId total = 0;  ///< particles on all ranks
   double reach = 0;    ///< length: every particle this near to an owned one is on this rank
-  double spacing = 0;  ///< length: of the lattice that all bodies lie on alike; 0: clouds, or lattices that differ
+  /// Length: of the lattices of all bodies; 0 if one of them is a cloud or has another spacing.
+  double spacing = 0;
+  /// [bodies of the deck] length: of each body's own lattice, as its deck entry has it; 0: a point cloud.
+  std::vector<double> lattice_spacing;
 
   std::vector<GlobalId> id;       ///< [owned + ghosts]
   std::vector<double> reference;  ///< [(owned + ghosts) * dimension] position X, length
@@ -35,6 +38,11 @@ struct Body {
   const double* position(LocalIndex i) const { return &reference[static_cast<std::size_t>(i) * dimension]; }
   /// Position with z = 0 filled in for 2-D.
   deck::Point position3(LocalIndex i) const;
+  /// Distance of a particle from its neighbours, length: the spacing of its body's lattice, whatever part of a cell the
+  /// particle stands for; in a cloud V^(1/d). Depends on nothing but the particle and its own body.
+  double spacing_of(LocalIndex i) const;
+  /// What rounding may have moved a particle by, length: a few units in the last place of its coordinates.
+  double rounding(LocalIndex i) const;
 };
 
 /// How well the particles are spread over the ranks.

@@ -39,7 +39,8 @@ struct CellGrid {
 
 /// The grid, if all particles of this rank, ghosts too, lie on a lattice of the body's spacing (to 1e-11 of it, and the
 /// rounding of the coordinates) and fill at least a sixteenth of its box. A body without a spacing has one if all its
-/// volumes are V (to 1e-12): V^(1/d).
+/// volumes are V (to 1e-12): V^(1/d). Bodies some of which are clouds, or lattices of other spacings, have none. Only
+/// how the bonds are stored depends on it, never what they are.
 std::optional<CellGrid> find_grid(const body::Body& body);
 
 }  // namespace perinox::bonds

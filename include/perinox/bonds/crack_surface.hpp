@@ -7,20 +7,26 @@ namespace perinox::bonds {
 /// along z; in 2-D every surface cuts where it meets z = 0.
 class CrackSurface {
  public:
-  /// `tolerance` is a length: a particle this near to the crack's plane is taken to lie in it. Throws InputError at the
-  /// crack's place if the surface has no area.
+  /// `tolerance` is a length: a particle this near to the crack's plane, or as near as rounding can tell, lies in it.
+  /// Throws InputError at the crack's place if the surface has no area.
   CrackSurface(const deck::Crack& crack, double tolerance);
 
-  /// True if the bond between two particles crosses the surface or touches its edge. A particle in the crack's plane
-  /// belongs to the side its normal points to (edge1 x edge2; `normal`; the right-hand side going from a segment's
-  /// start to its end), so a bond from it to that side is whole, a bond to the other side is cut, and a bond within the
-  /// plane is whole. The answer does not depend on the order of the two particles, to the last bit.
+  /// True if the bond between two particles crosses the surface or touches its edge. A bond with an end in the crack's
+  /// plane is whole: beyond the surface nothing cuts it, and particles on the surface itself are refused (holds). The
+  /// answer does not depend on the order of the two particles, nor on how the surface is written.
   bool cuts(const deck::Point& one, const deck::Point& other) const;
-  /// False if no bond of a particle at `point` with one nearer than `reach` can be cut.
+  /// True for a point on the surface, its edge included: a particle there would be on neither side.
+  bool holds(const deck::Point& point) const;
+  /// False if no bond of a particle at `point` with one nearer than `reach` can be cut, and the surface does not hold
+  /// it.
   bool within(const deck::Point& point, double reach) const;
+  /// Unit.
+  const deck::Point& normal() const { return normal_; }
 
  private:
-  bool covers(const deck::Point& in_plane) const;
+  double rounding(const deck::Point& point) const;
+  double height(const deck::Point& point) const;
+  bool covers(const deck::Point& in_plane, double rounding) const;
 
   deck::Point origin_{};           ///< corner of the parallelogram, center of the disc
   deck::Point normal_{};           ///< unit

@@ -25,6 +25,7 @@ struct Families {
   double continuum_weighted_volume = 0;           ///< m of a full continuous neighbourhood with this influence function
   long long directed = 0;                         ///< directed bonds on this rank
   long long cut = 0;                              ///< directed bonds cut by pre-cracks on this rank
+  long long across_gaps = 0;                      ///< directed bonds not made because they leave the material
   long long broken = 0;                           ///< directed bonds broken since, on this rank
   std::vector<std::int32_t> fit;  ///< [owned] index into moments, -1: plain formulas; empty: nowhere a fit
   std::vector<Moment> moments;    ///< of the owned particles whose strain is fitted
@@ -46,7 +47,7 @@ struct FoundBond {
 using FamilyReceiver = std::function<void(LocalIndex, const std::vector<FoundBond>&)>;
 
 /// Distance within which the quadrature needs neighbours: the horizon, plus half the largest spacing for
-/// partial-volume.
+/// partial-volume, and a millionth more, so that no neighbour is lost to the rounding of coordinates.
 double reach(const deck::Deck& deck, double horizon, double largest_spacing);
 
 /// omega(xi) for 0 < xi <= horizon (and a little beyond for partial-volume): constant 1; inverse 1/xi (per length, as
@@ -76,10 +77,11 @@ class CubicFactor {
 };
 
 /// Finds the family of every owned particle, in the order given ([owned], each once), and hands it to the receiver.
-/// Bonds without influence or without a share of volume are left out. Cracks cut by the rule of CrackSurface; what they
-/// cut is gone from the families and from m, as at a free surface. grid: of the body, or null. Collective. Throws
-/// InputError on all ranks together: naming the first particle (id, position) whose family is empty; at a crack that
-/// cuts no bond. Throws std::logic_error if the body was built with a reach below the horizon.
+/// Bonds without influence or without a share of volume are left out, and those that leave the material (gaps.hpp).
+/// Cracks cut by the rule of CrackSurface; what they cut is gone from the families and from m, as at a free surface.
+/// grid: of the body, or null. Collective. Throws InputError on all ranks together: naming the first particle (id,
+/// position) whose family is empty; at a crack that cuts no bond, and at one that runs through a particle's centre.
+/// Throws std::logic_error if the body was built with a reach below the horizon.
 Families find_families(const deck::Deck& deck, const body::Body& body, double horizon, const CellGrid* grid,
                        const std::vector<LocalIndex>& order, const FamilyReceiver& receive);
 

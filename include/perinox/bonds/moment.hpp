@@ -42,11 +42,12 @@ double deviatoric_volume(int dimension, const std::array<double, 36>& sums);
 
 /// What a family is like.
 enum class FamilyKind {
-  isotropic,  ///< M differs from the isotropic one by at most 1e-10 m: nothing to correct
+  isotropic,  ///< M differs from the isotropic one by at most 1e-10 m and what rounding makes: nothing to correct
   irregular,  ///< the strain is to be fitted
   deficient   ///< does not tell all strains apart: a plate one particle thick, a few bonds
 };
-/// M of sums over one family, row-major. Fills `moment` of an irregular family only.
-FamilyKind make_moment(int dimension, const std::array<double, 36>& sums, Moment& moment);
+/// M of sums over one family, row-major. rounding: of the bonds' directions. Fills `moment` of an irregular family
+/// only.
+FamilyKind make_moment(int dimension, const std::array<double, 36>& sums, double rounding, Moment& moment);
 
 }  // namespace perinox::bonds

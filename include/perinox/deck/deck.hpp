@@ -66,6 +66,10 @@ struct BodyPart {
   std::string material;
   /// Cells that the shape's surface cuts count with the part of them that is inside, not whole or not at all.
   bool cut_cells = false;
+  /// Of a point cloud: the region its particles fill.
+  std::optional<Shape> outline{};
+  /// The shape before later bodies took their part of it; none: as it is.
+  std::optional<Shape> as_written{};
 };
 
 // --- bonds --------------------------------------------------------------------------------------------------------
@@ -75,6 +79,10 @@ struct Horizon {
   std::optional<double> ratio;  ///< of the largest spacing
   std::optional<double> length;
 };
+/// Bonds that leave the material between their particles.
+enum class AcrossGaps { cut, keep };
+/// Bodies that overlap.
+enum class Overlap { refuse, later_wins };
 enum class Influence { constant, inverse, polynomial };
 enum class Quadrature { whole, partial_volume, taper_inside, position_aware, surface_energy };
 
@@ -199,7 +207,9 @@ struct Deck {
   std::string title;
   Dimension dimension = Dimension::three;
   std::vector<BodyPart> body;
+  Overlap overlap = Overlap::refuse;
   bool bond_bodies = true;  ///< particles of different bodies form bonds
+  AcrossGaps across_gaps = AcrossGaps::cut;
   Horizon horizon;
   Influence influence = Influence::constant;
   Quadrature quadrature = Quadrature::position_aware;

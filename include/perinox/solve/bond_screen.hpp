@@ -14,7 +14,7 @@ namespace perinox::solve {
 /// + xi N . H) is at most what it is with c/(2 xi) for e and |H| for N . H.
 class BondScreen {
  public:
-  /// The scene must outlive it. limits: one a material; bonds under a ductile law pass wherever they are stretched.
+  /// The scene must outlive it. limits: one a body; bonds under a ductile law pass wherever they are stretched.
   BondScreen(const mechanics::Scene& scene, const std::vector<BondLimit>& limits);
 
   struct Candidate {
@@ -31,7 +31,7 @@ class BondScreen {
   void find_in_pairs();
 
   const mechanics::Scene& scene_;
-  double stretch_, energy_;  ///< smallest limits of all materials; infinite: none
+  double stretch_, energy_;  ///< smallest limits of all bodies; infinite: none
   int dimension_;
   std::int64_t guard_ = 0;      ///< cells that the stencil reaches beyond the grid
   std::int64_t cells_ = 0;      ///< of an array
