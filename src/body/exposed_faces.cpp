@@ -6,114 +6,215 @@
 #include <array>
 #include <cmath>
 #include <tuple>
-#include <unordered_map>
 
-#include "curved_faces.hpp"
+#include "body_surfaces.hpp"
+#include "perinox/body/neighbor_search.hpp"
+#include "spread_load.hpp"
+#include "vectors.hpp"
 
 namespace perinox::body {
 
 namespace {
 
 constexpr int most_layers = 3;
-constexpr double share[most_layers + 1][most_layers] = {{}, {1}, {1.5, -0.5}, {13.0 / 12, 4.0 / 12, -5.0 / 12}};
+constexpr double row_share[most_layers + 1][most_layers] = {{}, {1}, {1.5, -0.5}, {13.0 / 12, 4.0 / 12, -5.0 / 12}};
+constexpr double right_angle = 1e-9;  // cosine: a face at right angles to `facing` does not look along it
 
-/// Which cell of a lattice a particle lies in, over this rank's particles of all bodies.
-class CellsOfLattice {
+/// What the set's particles have of the surface: faces of whole cells, and all other pieces.
+class Exposed {
  public:
-  /// The lattice that the particle `on` lies on.
-  CellsOfLattice(const Body& body, LocalIndex on, double spacing)
-      : origin_(body.position3(on)), spacing_(spacing), dimension_(body.dimension) {
-    for (LocalIndex i = 0; i < body.local(); ++i) particle_.emplace(key(cell(body.position3(i))), i);
-  }
-  /// `steps` cells away from x along an axis; -1: no particle.
-  LocalIndex from(deck::Point x, int axis, int steps) const {
-    x[static_cast<std::size_t>(axis)] += steps * spacing_;
-    const auto found = particle_.find(key(cell(x)));
-    return found == particle_.end() ? -1 : found->second;
-  }
+  Exposed(const deck::Deck& deck, const Body& body, const std::optional<Point>& facing)
+      : deck_(deck),
+        body_(body),
+        facing_(facing),
+        surfaces_(deck, body.dimension, facing),
+        search_(body.reference, body.dimension),
+        sides_(static_cast<std::size_t>(2 * body.dimension)),
+        layers_(static_cast<std::size_t>(body.local()) * sides_),
+        seen_(layers_.size()) {}
+
+  void take(LocalIndex i);
+  /// All shares of owned particles. Collective.
+  std::vector<FaceShare> shares();
+  /// Surface has been found that another body touches; that looks another way than `facing`.
+  bool touched() const { return touched_; }
+  bool turned() const { return turned_; }
 
  private:
-  using Cell = std::array<long long, 3>;
-  Cell cell(const deck::Point& x) const {
-    Cell c{};
-    for (std::size_t k = 0; k < static_cast<std::size_t>(dimension_); ++k)
-      c[k] = std::llround((x[k] - origin_[k]) / spacing_);
-    return c;
-  }
-  /// Different for cells less than 2^20 apart.
-  static long long key(const Cell& c) { return (c[0] & mask) << 42 | (c[1] & mask) << 21 | (c[2] & mask); }
+  int part(LocalIndex i) const { return body_.part[static_cast<std::size_t>(i)]; }
+  double spacing(LocalIndex i) const { return deck_.body[static_cast<std::size_t>(part(i))].spacing; }
+  double cell_face(LocalIndex i) const { return std::pow(spacing(i), body_.dimension - 1); }
+  LocalIndex behind(LocalIndex i, int axis, int steps) const;
+  std::size_t face_of(const Facet& facet, LocalIndex i);
+  void take_face(LocalIndex i, std::size_t face, const std::vector<Facet>& facets);
+  void spread(const Facet& facet, const CutCells::Cell& cell, double weight, LocalIndex i);
+  void add_row(LocalIndex i, std::size_t face, const Point& normal);
+  void add_row_shares(LocalIndex i, std::size_t face, std::vector<FaceShare>& shares) const;
 
-  static constexpr long long mask = (1LL << 21) - 1;
-  deck::Point origin_;
-  double spacing_;
-  int dimension_;
-  std::unordered_map<long long, LocalIndex> particle_;
+  const deck::Deck& deck_;
+  const Body& body_;
+  std::optional<Point> facing_;
+  BodySurfaces surfaces_;
+  NeighborSearch search_;
+  std::size_t sides_;
+  std::vector<double> layers_;  ///< [local][sides] how many particles share a face; 0: it is none
+  std::vector<double> seen_;    ///< [local][sides] what tractions act on, over the face's area
+  std::vector<FaceShare> shares_;
+  bool touched_ = false, turned_ = false;
 };
+
+int axis_of(std::size_t face) { return static_cast<int>(face / 2); }
+int side_of(std::size_t face) { return face % 2 == 0 ? 1 : -1; }
+
+/// The particle `steps` cells away from i along an axis, of its body or of one that bonds with it; -1: none.
+LocalIndex Exposed::behind(LocalIndex i, int axis, int steps) const {
+  constexpr double there = 1e-6;  // of the spacing
+  Point x = body_.position3(i);
+  x[static_cast<std::size_t>(axis)] += steps * spacing(i);
+  double away = 0;
+  const LocalIndex j = search_.nearest(x.data(), away);
+  if (j < 0 || !(away <= there * spacing(i))) return -1;
+  return part(j) == part(i) || deck_.bond_bodies ? j : -1;
+}
+
+/// The face of i's cell that the facet lies in; sides_: none.
+std::size_t Exposed::face_of(const Facet& facet, LocalIndex i) {
+  if (facet.surface.kind != Surface::Kind::plane) return sides_;
+  const double tolerance = 2 * surfaces_.cells(part(i)).tolerance();
+  for (std::size_t axis = 0; 2 * axis < sides_; ++axis) {
+    const double along = facet.side * facet.surface.direction[axis];
+    if (std::abs(along) < 1 - 1e-14) continue;
+    const double off = facet.surface.at[axis] - body_.position3(i)[axis];
+    if (std::abs(off - std::copysign(0.5 * spacing(i), along)) <= tolerance) return 2 * axis + (along > 0 ? 0 : 1);
+  }
+  return sides_;
+}
+
+void Exposed::add_row(LocalIndex i, std::size_t face, const Point& normal) {
+  if (facing_ && !(dot(normal, *facing_) > right_angle)) {
+    turned_ = true;
+    return;
+  }
+  const int axis = axis_of(face), side = side_of(face);
+  const int in_reach = 1 + static_cast<int>(std::floor(body_.reach / spacing(i) + 1e-9));
+  int count = 1;
+  while (count < std::min(most_layers, in_reach) && behind(i, axis, -side * count) >= 0) ++count;
+  // On a surface that is made of steps a face stands for as much of the true one as is seen along its axis.
+  const Point& seen = facing_ ? *facing_ : normal;
+  const std::size_t at = static_cast<std::size_t>(i) * sides_ + face;
+  layers_[at] = count;
+  seen_[at] = side * seen[static_cast<std::size_t>(axis)];
+}
+
+void Exposed::spread(const Facet& facet, const CutCells::Cell& cell, double weight, LocalIndex i) {
+  touched_ = touched_ || facet.untouched < facet.whole.area;
+  turned_ = turned_ || facet.open.area < facet.untouched;
+  const CellBox box = surfaces_.cells(part(i)).box(cell);
+  spread_load(facet, times(0.5, plus(box.lo, box.hi)), weight, body_, i, spacing(i), facing_, search_, shares_);
+}
+
+/// The facets that lie in one face of the particle's cell.
+void Exposed::take_face(LocalIndex i, std::size_t face, const std::vector<Facet>& facets) {
+  constexpr double rounding = 1e-9;
+  CutCells& cells = surfaces_.cells(part(i));
+  const CutCells::Cell own = cells.cell_of(body_.position3(i));
+  double whole = 0, untouched = 0;
+  for (const Facet& facet : facets) {
+    whole += facet.whole.area;
+    untouched += facet.untouched;
+  }
+  const double full = (1 - rounding) * cell_face(i);
+  const bool all = !cells.exact() || (whole >= full && cells.inside(own) >= 1 - rounding);
+  if (all && untouched >= (1 - rounding) * whole) {
+    Point normal{};
+    normal[static_cast<std::size_t>(axis_of(face))] = side_of(face);
+    add_row(i, face, normal);
+    return;
+  }
+  for (const Facet& facet : facets) spread(facet, own, cells.exact() ? 1 : cell_face(i) / whole, i);
+}
+
+void Exposed::take(LocalIndex i) {
+  CutCells& cells = surfaces_.cells(part(i));
+  const CutCells::Cell own = cells.cell_of(body_.position3(i));
+  if (cells.deep(own)) return;
+  std::vector<std::vector<Facet>> of_face(sides_ + 1);
+  for (const Facet& facet : surfaces_.facets(part(i), own)) of_face[face_of(facet, i)].push_back(facet);
+  for (std::size_t face = 0; face < sides_; ++face) {
+    CutCells::Cell next = own;
+    next[static_cast<std::size_t>(axis_of(face))] += side_of(face);
+    const bool free = cells.exact() || !cells.kept(next);
+    if (free && !of_face[face].empty()) {
+      take_face(i, face, of_face[face]);
+    } else if (free && !cells.exact()) {
+      const auto [normal, touched] = surfaces_.exit(part(i), body_.position3(i), axis_of(face), side_of(face));
+      touched_ = touched_ || touched;
+      if (!touched) add_row(i, face, normal);
+    }
+  }
+  if (!cells.exact()) return;
+  for (const Facet& facet : of_face[sides_]) spread(facet, own, 1, i);
+  cells.owned_around(own, [&](const CutCells::Cell& cell, double weight) {
+    for (const Facet& facet : surfaces_.facets(part(i), cell)) spread(facet, cell, weight, i);
+  });
+}
+
+void Exposed::add_row_shares(LocalIndex i, std::size_t face, std::vector<FaceShare>& shares) const {
+  const std::size_t at = static_cast<std::size_t>(i) * sides_ + face;
+  const auto axis = static_cast<std::size_t>(axis_of(face));
+  const auto count = static_cast<int>(layers_[at]);
+  for (int k = 0; k < count; ++k) {
+    const LocalIndex j = k == 0 ? i : behind(i, axis_of(face), -side_of(face) * k);
+    if (j < 0 || j >= body_.owned) continue;
+    FaceShare share{j, body_.position3(i), {}, 0};
+    share.center[axis] += 0.5 * side_of(face) * spacing(i);
+    const double area = row_share[count][k] * cell_face(i);
+    share.area[axis] = side_of(face) * area;
+    share.size = area * seen_[at];
+    shares.push_back(share);
+  }
+}
+
+std::vector<FaceShare> Exposed::shares() {
+  hand_over(body_, shares_);
+  body_.halo.update_ghosts(layers_.data(), static_cast<int>(sides_));
+  body_.halo.update_ghosts(seen_.data(), static_cast<int>(sides_));
+  std::vector<FaceShare> all = std::move(shares_);
+  for (LocalIndex i = 0; i < body_.local(); ++i)
+    for (std::size_t face = 0; face < sides_; ++face) add_row_shares(i, face, all);
+  std::sort(all.begin(), all.end(), [](const FaceShare& a, const FaceShare& b) {
+    return std::tie(a.particle, a.center, a.area, a.size) < std::tie(b.particle, b.center, b.area, b.size);
+  });
+  return all;
+}
 
 }  // namespace
 
 std::vector<FaceShare> exposed_faces(const deck::Deck& deck, const Body& body, const std::vector<LocalIndex>& set,
-                                     const deck::Location& location) {
-  const int d = body.dimension;
-  const int sides = 2 * d;
-  const auto spacing = [&](LocalIndex i) { return deck.body[static_cast<std::size_t>(body.part[i])].spacing; };
+                                     const deck::Location& location, const std::optional<Point>& facing) {
+  const Communicator& communicator = body.communicator;
   std::string sentence;
-  for (const LocalIndex i : set)
-    if (sentence.empty() &&
-        std::holds_alternative<deck::CloudFile>(deck.body[static_cast<std::size_t>(body.part[i])].shape.form))
-      sentence = fmt::format(
-          "{}: the set holds particles of the point cloud {}, whose surface is not known; use force, or give the body "
-          "a shape and a spacing",
-          location.text(), deck.body[static_cast<std::size_t>(body.part[i])].name);
-  body.communicator.agree_on_input_error(sentence);
-
-  std::vector<CellsOfLattice> lattices;
-  std::vector<int> lattice_of(deck.body.size(), -1);
-  const auto lattice = [&](LocalIndex i) -> const CellsOfLattice& {
-    int& number = lattice_of[static_cast<std::size_t>(body.part[i])];
-    if (number < 0) {
-      number = static_cast<int>(lattices.size());
-      lattices.emplace_back(body, i, spacing(i));
-    }
-    return lattices[static_cast<std::size_t>(number)];
-  };
-  CurvedFaces curved(deck, body);
-  // How many particles share each face, of every particle in the set; decided by its owner, known to all.
-  std::vector<double> layers(static_cast<std::size_t>(body.local()) * sides, 0.0);
-  double faces = 0;
-  for (const LocalIndex i : set)
-    for (int face = 0; face < sides; ++face) {
-      const int axis = face / 2, side = face % 2 == 0 ? 1 : -1;
-      if (lattice(i).from(body.position3(i), axis, side) >= 0 || curved.replaces(i, axis, side)) continue;
-      const int in_reach = 1 + static_cast<int>(std::floor(body.reach / spacing(i) + 1e-9));
-      int count = 1;
-      while (count < std::min(most_layers, in_reach) && lattice(i).from(body.position3(i), axis, -side * count) >= 0)
-        ++count;
-      layers[static_cast<std::size_t>(i) * sides + face] = count;
-      ++faces;
-    }
-  std::vector<FaceShare> shares = curved.shares(set);
-  if (!(body.communicator.sum(faces + static_cast<double>(shares.size())) > 0))
-    body.communicator.agree_on_input_error(fmt::format(
-        "{}: no particle of the set lies at the surface; take the outermost layer into it", location.text()));
-  body.halo.update_ghosts(layers.data(), sides);
-
-  for (LocalIndex i = 0; i < body.local(); ++i)
-    for (int face = 0; face < sides; ++face) {
-      const auto count = static_cast<int>(layers[static_cast<std::size_t>(i) * sides + face]);
-      const int axis = face / 2, side = face % 2 == 0 ? 1 : -1;
-      for (int k = 0; k < count; ++k) {
-        const LocalIndex behind = k == 0 ? i : lattice(i).from(body.position3(i), axis, -side * k);
-        if (behind < 0 || behind >= body.owned) continue;
-        deck::Point center = body.position3(i);
-        center[static_cast<std::size_t>(axis)] += 0.5 * side * spacing(i);
-        const double area = share[count][k] * std::pow(spacing(i), d - 1);
-        shares.push_back({behind, axis, side, center, area, area});
-      }
-    }
-  std::sort(shares.begin(), shares.end(), [&](const FaceShare& a, const FaceShare& b) {
-    return std::tie(a.particle, a.axis, a.side, a.center) < std::tie(b.particle, b.axis, b.side, b.center);
-  });
+  for (const LocalIndex i : set) {
+    const deck::BodyPart& part = deck.body[static_cast<std::size_t>(body.part[static_cast<std::size_t>(i)])];
+    if (!sentence.empty() || !std::holds_alternative<deck::CloudFile>(part.shape.form)) continue;
+    sentence = fmt::format(
+        "{}: the set holds particles of the point cloud {}, whose surface is not known; use force, or give the body "
+        "a shape and a spacing",
+        location.text(), part.name);
+  }
+  communicator.agree_on_input_error(sentence);
+  Exposed exposed(deck, body, facing);
+  for (const LocalIndex i : set) exposed.take(i);
+  std::vector<FaceShare> shares = exposed.shares();
+  const bool touched = communicator.any(exposed.touched()), turned = communicator.any(exposed.turned());
+  if (communicator.any(!shares.empty())) return shares;
+  communicator.agree_on_input_error(fmt::format(
+      "{}: {}", location.text(),
+      turned ? "no exposed face of the set looks the way facing says; turn it round or change the set"
+      : touched
+          ? "all of the set's surface touches another body and is bonded to it; choose a set with a free surface, "
+            "or bond_bodies: false"
+          : "no particle of the set lies at the surface; take the outermost layer into it"));
   return shares;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "perinox/body/cut_cells.hpp"
 #include "perinox/body/shape.hpp"
@@ -27,7 +28,7 @@ Lattice::Lattice(const deck::BodyPart& part, int dimension_) : first{}, spacing(
                                                     "greater than its min",
                                                     part.name, "xyz"[axis]));
     }
-    count[axis] = std::max(1.0, std::round(length / spacing));
+    count[axis] = std::max(1.0, std::floor((length + tolerance(part)) / spacing + 0.5));
     first[axis] = box.min[axis] + (length - count[axis] * spacing) / 2 + spacing / 2;
   }
   const double points = count[0] * count[1] * count[2];
@@ -42,6 +43,11 @@ Lattice::Lattice(const deck::BodyPart& part, int dimension_) : first{}, spacing(
 }
 
 double Lattice::volume() const { return dimension == 3 ? spacing * spacing * spacing : spacing * spacing; }
+
+double Lattice::tolerance(const deck::BodyPart& part) const {
+  return 1e-9 * spacing +
+         16 * std::numeric_limits<double>::epsilon() * largest_coordinate(bounds(part.shape), dimension);
+}
 
 std::vector<Particle> generate(const deck::Deck& deck, int part, GlobalId first_id, const Communicator& communicator) {
   const deck::BodyPart& body = deck.body[part];
@@ -59,7 +65,7 @@ std::vector<Particle> generate(const deck::Deck& deck, int part, GlobalId first_
     point[2] += static_cast<double>(row / lattice.cells[1]) * lattice.spacing;
     for (long long i = 0; i < lattice.cells[0]; ++i) {
       point[0] = lattice.first[0] + static_cast<double>(i) * lattice.spacing;
-      if (!contains(body.shape, point, dimension)) continue;
+      if (!contains(cells.solid(), point)) continue;
       const double volume =
           cells.none() ? whole : whole * cells.volume({i, row % lattice.cells[1], row / lattice.cells[1]});
       particles.push_back({0, point, volume, part});

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "perinox/body/together.hpp"
+#include "perinox/deck/condition.hpp"
 
 namespace perinox::body {
 
@@ -24,7 +27,7 @@ struct Find {
   const deck::Deck& deck;
   const Body& body;
   const deck::Set& set;
-  double spacing;
+  double slack;  ///< length: at the bounds of conditions and boxes
 
   template <class Condition>
   Members where(Condition&& holds) const {
@@ -36,10 +39,10 @@ struct Find {
   }
 
   Members operator()(const deck::SetWhere& form) const {
-    return where([&](const deck::Point& x) { return form.condition.holds(x[0], x[1], x[2]); });
+    const deck::Condition condition(form.condition);
+    return where([&](const deck::Point& x) { return condition.holds(x, slack); });
   }
   Members operator()(const deck::SetBox& box) const {
-    const double slack = 1e-9 * spacing;
     return where([&](const deck::Point& x) {
       for (int axis = 0; axis < body.dimension; ++axis) {
         if (x[axis] < box.min[axis] - slack || x[axis] > box.max[axis] + slack) return false;
@@ -72,10 +75,18 @@ struct Find {
   }
 };
 
+/// 1e-9 of the spacing, and the rounding of the largest coordinate. Collective.
+double slack_of(const Body& body, double spacing) {
+  double largest = 0;
+  for (const double coordinate : body.reference) largest = std::max(largest, std::abs(coordinate));
+  return 1e-9 * spacing + 8 * std::numeric_limits<double>::epsilon() * body.communicator.max(largest);
+}
+
 }  // namespace
 
 std::map<std::string, Members> find_sets(const deck::Deck& deck, const Body& body, double spacing) {
   std::map<std::string, Members> sets;
+  const double slack = slack_of(body, spacing);
   for (LocalIndex i = 0; i < body.owned; ++i) sets["all"].push_back(i);
   sets["all"];  // an empty rank has the set too
   for (std::size_t part = 0; part < deck.body.size(); ++part) {
@@ -87,7 +98,7 @@ std::map<std::string, Members> find_sets(const deck::Deck& deck, const Body& bod
                    fmt::format("the name {} is taken by another set or by a body; choose another", set.name));
     }
     Members members;
-    together(body.communicator, [&] { members = std::visit(Find{deck, body, set, spacing}, set.form); });
+    together(body.communicator, [&] { members = std::visit(Find{deck, body, set, slack}, set.form); });
     if (body.communicator.sum(static_cast<long long>(members.size())) == 0) {
       deck::refuse(set.location, fmt::format("the set {} is empty: none of the {} particles is in it; widen its "
                                              "condition or take the set out",

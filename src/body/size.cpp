@@ -58,6 +58,7 @@ double about_particles(const deck::BodyPart& part, int dimension) {
   const auto points = static_cast<double>(lattice.cells[0]) * static_cast<double>(lattice.rows());
   const auto stride = static_cast<long long>(std::ceil(std::pow(std::max(1.0, points / enough), 1.0 / dimension)));
   long long seen = 0, inside = 0;
+  const Solid solid = solid_of(part.shape, dimension);
   deck::Point point = lattice.first;
   for (long long z = 0; z < lattice.cells[2]; z += stride)
     for (long long y = 0; y < lattice.cells[1]; y += stride)
@@ -66,7 +67,7 @@ double about_particles(const deck::BodyPart& part, int dimension) {
         for (std::size_t c = 0; c < 3; ++c)
           point[c] = lattice.first[c] + static_cast<double>(cell[c]) * lattice.spacing;
         ++seen;
-        inside += contains(part.shape, point, dimension) ? 1 : 0;
+        inside += contains(solid, point) ? 1 : 0;
       }
   return points * static_cast<double>(inside) / static_cast<double>(seen);
 }

@@ -118,8 +118,13 @@ Key declare_sets() {
   ids.unique = true;
   Key element = choice_key(
       "", "One set of particles.",
-      {expression_key("where", "-", "The particles at whose reference position this formula of x, y, z is true."),
-       corner_keys("box", "The particles inside a box, faces included."), ids,
+      {expression_key(
+           "where", "-",
+           "The particles at whose reference position this formula of x, y, z is true. Its comparisons "
+           "take a slack: two sides that moving the particle by 1e-9 of the largest spacing, and the rounding "
+           "of the coordinates, along each axis could make equal are equal; <=, >= and == then hold, <, > "
+           "and != do not."),
+       corner_keys("box", "The particles inside a box, faces included, with the same slack."), ids,
        text_key("body", "The particles of the body of this name.")});
   element.place = "a set";
   Key key;
@@ -146,8 +151,9 @@ Key declare_boundary() {
   displacement.alternatives = {{"x", "y", "z"}, {"table"}};
   Key facing =
       point_key("facing", "-",
-                "Of a traction or a pressure: a direction; only faces that look this way count, and a traction "
-                "acts on their area as it is seen from there.");
+                "Of a traction or a pressure: a direction of any length; only surface whose true outward normal has a "
+                "part along it counts, at an angle below 90 degrees. There a pressure acts on the whole of its area, "
+                "and a traction on its area as it is seen from that direction (a ball: pi R^2).");
   facing.required = false;
   Key element =
       map_key("", "One load.",
@@ -155,12 +161,14 @@ Key declare_boundary() {
                components("force", "force", "Force, total over the set.", "force"),
                components("body_force", "force/volume", "Force per volume.", "force per volume"),
                components("traction", "stress",
-                          "Force per area of the reference surface, on the exposed faces of the set's "
-                          "particles; only on lattices.",
+                          "Force per area of the reference surface, on the exposed surface of the set's particles: "
+                          "the part of their body's own surface in and beside their cells. Where another body touches "
+                          "it and bodies bond there is none; over a gap, however narrow, and with bond_bodies: false "
+                          "there is. Only on lattices.",
                           "traction"),
                expression_key("pressure", "stress",
-                              "Pressure into the body, along the normals of the reference surface, on the "
-                              "exposed faces of the set's particles: a number or a formula of x, y, z, t; "
+                              "Pressure into the body, along the normals of the reference surface, on the exposed "
+                              "surface of the set's particles as of a traction: a number or a formula of x, y, z, t; "
                               "only on lattices."),
                facing,
                components("velocity", "velocity",

@@ -18,27 +18,6 @@ bool prescribes(deck::LoadKind kind) {
 }
 bool on_surface(deck::LoadKind kind) { return kind == deck::LoadKind::traction || kind == deck::LoadKind::pressure; }
 
-/// Those of the set's exposed faces that look the way the load asks for, their area as the load counts it.
-std::vector<body::FaceShare> faces_of(const deck::Deck& deck, const body::Body& body, const deck::Load& load,
-                                      const std::vector<LocalIndex>& set) {
-  std::vector<body::FaceShare> faces = body::exposed_faces(deck, body, set, load.location);
-  if (!load.facing) {
-    if (load.kind == deck::LoadKind::traction)
-      for (body::FaceShare& face : faces) face.area = face.size;
-    return faces;
-  }
-  const auto along = [&](const body::FaceShare& face) {
-    return face.side * (*load.facing)[static_cast<std::size_t>(face.axis)];
-  };
-  faces.erase(std::remove_if(faces.begin(), faces.end(), [&](const auto& face) { return !(along(face) > 1e-9); }),
-              faces.end());
-  if (load.kind == deck::LoadKind::traction)
-    for (body::FaceShare& face : faces) face.area *= along(face);
-  if (!body.communicator.any(!faces.empty()))
-    deck::refuse(load.location,
-                 "no exposed face of the set looks the way facing says; turn it round or change the set");
-  return faces;
-}
 }  // namespace
 
 Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scene_(scene) {
@@ -63,7 +42,7 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
         }
       }
     } else if (on_surface(load.kind)) {
-      entry.faces = faces_of(deck, body, load, *entry.set);
+      entry.faces = body::exposed_faces(deck, body, *entry.set, load.location, load.facing);
     } else {
       for (const LocalIndex i : *entry.set) entry.set_volume += body.volume[i];
       entry.set_volume = body.communicator.sum(entry.set_volume);
@@ -229,11 +208,12 @@ void Boundary::add_surface_force(const Entry& entry, double t, double* force) co
     double* at = force + static_cast<std::size_t>(face.particle) * d;
     const deck::Point& x = face.center;
     if (entry.load->kind == deck::LoadKind::pressure) {
-      at[face.axis] -= face.side * face.area * (*entry.load->component[0])(x[0], x[1], x[2], t);
+      const double pressure = (*entry.load->component[0])(x[0], x[1], x[2], t);
+      for (std::size_t c = 0; c < d; ++c) at[c] -= face.area[c] * pressure;
       continue;
     }
     for (std::size_t c = 0; c < d; ++c)
-      if (entry.load->component[c]) at[c] += face.area * (*entry.load->component[c])(x[0], x[1], x[2], t);
+      if (entry.load->component[c]) at[c] += face.size * (*entry.load->component[c])(x[0], x[1], x[2], t);
   }
 }
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "perinox/core/error.hpp"
+#include "perinox/deck/condition.hpp"
 #include "perinox/deck/scalar.hpp"
 #include "perinox/output/results_reader.hpp"
 #include "perinox/output/table_reader.hpp"
@@ -55,6 +57,15 @@ Values history_value(const Measure& measure, const PlannedRun& run, const std::s
   return values;
 }
 
+/// Length: what comparisons of `where` take, as those of a set do.
+double slack_of(const output::ResultsReader& file, const std::vector<double>& place,
+                const std::vector<double>& volume) {
+  double largest = 0, coordinate = 0;
+  for (const double one : volume) largest = std::max(largest, one);
+  for (const double one : place) coordinate = std::max(coordinate, std::abs(one));
+  return 1e-9 * std::pow(largest, 1.0 / file.dimension()) + 8 * std::numeric_limits<double>::epsilon() * coordinate;
+}
+
 /// What a field is compared with, at any place.
 class ExactField {
  public:
@@ -98,15 +109,16 @@ Values field_value(const Measure& measure, const PlannedRun& run, const std::str
   if (columns == 0) throw RunError(fmt::format("{} holds no field {}", path, measure.field));
   const std::vector<double> place = file.reference(), volume = file.volume(),
                             field = file.field(step.number, measure.field);
-  const deck::Expression where = measure.where.empty()
-                                     ? deck::Expression(1.0)
-                                     : formula(measure.where, run.numbers, {"x", "y", "z"}, measure.location);
+  const deck::Condition where(measure.where.empty()
+                                  ? deck::Expression(1.0)
+                                  : formula(measure.where, run.numbers, {"x", "y", "z"}, measure.location));
+  const double slack = slack_of(file, place, volume);
   const ExactField exact(measure, run, reference, columns);
   double error = 0, size = 0, largest_error = 0, largest = 0;
   std::size_t taken = 0;
   for (std::size_t i = 0; i < file.particles(); ++i) {
     const double* x = &place[i * 3];
-    if (!where.holds(x[0], x[1], x[2])) continue;
+    if (!where.holds({x[0], x[1], x[2]}, slack)) continue;
     ++taken;
     const std::vector<double> wanted = exact.at(x, step.t);
     double difference = 0, square = 0;

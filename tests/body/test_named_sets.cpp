@@ -1,4 +1,6 @@
 /// Named sets of particles.
+#include <fmt/format.h>
+
 #include "support/bodies.hpp"
 
 namespace perinox::body {
@@ -33,6 +35,33 @@ TEST(Sets, BoxIncludesItsSurface) {
   const Body body = build_body(deck);
   EXPECT_EQ(body.sets.at("inner").size(), 8U);
   EXPECT_EQ(body.sets.at("below").size(), 4U);
+}
+
+/// With h = 0.1 rounding took three rows for y <= 0.35 and four for y >= 0.65.
+TEST(Sets, ConditionsTakeWholeRowsAtTheirBounds) {
+  for (const double offset : {0.0, 0.7, 4600000.5}) {
+    deck::Deck deck = deck_of(deck::Box{{0, offset, 0}, {1, offset + 1, 0}}, deck::Dimension::plane_strain, 0.1);
+    const std::string low = fmt::format("{:.17g}", offset + 0.35), high = fmt::format("{:.17g}", offset + 0.65);
+    const auto add = [&](const std::string& name, const std::string& condition) {
+      add_set(deck, name, deck::SetWhere{deck::Expression(condition, {"deck.yaml", 20, 3})});
+    };
+    add("most_low", "y <= " + low);
+    add("least_high", high + " <= y");
+    add("below", "y < " + low);
+    add("above", "y > " + high);
+    add("on", "(y == " + low + ") || (x < 2 ? y == " + high + " : 0)");
+    add("off", "y != " + low + " && y != " + high);
+    add("squares", "(y - " + low + ")^2 <= 0.09 && max(x, 2*(x >= 0.55)) < 1");
+    const Body body = build_body(deck);
+    const auto rows = [&](const char* name) { return static_cast<double>(body.sets.at(name).size()) / 10; };
+    EXPECT_EQ(rows("most_low"), 4) << offset;
+    EXPECT_EQ(rows("least_high"), 4) << offset;
+    EXPECT_EQ(rows("below"), 3) << offset;
+    EXPECT_EQ(rows("above"), 3) << offset;
+    EXPECT_EQ(rows("on"), 2) << offset;
+    EXPECT_EQ(rows("off"), 8) << offset;
+    EXPECT_EQ(rows("squares"), 3.5) << offset;  // seven rows of five
+  }
 }
 
 TEST(Sets, FlatBoxIgnoresThirdCoordinate) {

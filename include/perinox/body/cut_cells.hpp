@@ -4,63 +4,62 @@
 #include <vector>
 
 #include "perinox/body/lattice.hpp"
+#include "perinox/body/solid.hpp"
 
 namespace perinox::body {
 
+/// A box with faces along the axes; in 2-D flat at z = 0.
+struct CellBox {
+  deck::Point lo{}, hi{};
+};
+
 /// What a shape's surface leaves of the cells of its lattice. A particle stands for the part of its own cell that is
 /// inside and, in equal shares, for that of the cells around whose centres are outside and that have no particle
-/// nearer; it stays at its cell's centre. Volumes and areas are sampled: to about 1 % of a cell. Every rank can ask for
-/// any cell: nothing depends on where the particles are.
+/// nearer; it stays at its cell's centre. Volumes of shapes with plane faces are exact, of curved ones to about 1e-8.
+/// Every rank can ask for any cell: nothing depends on where the particles are.
 class CutCells {
  public:
   using Cell = std::array<long long, 3>;  ///< number of spacings from Lattice::first
 
+  /// Throws std::logic_error for a point cloud.
   CutCells(const deck::BodyPart& part, int dimension);
 
-  /// True where the body is a box that its cells fill: no cell is cut.
-  bool none() const { return none_; }
+  /// True where all particles stand for whole cells: the deck says so, or the body is a box that its cells fill.
+  bool none() const { return !cut_ || filled_; }
+  /// True where the surface of what the particles stand for is the shape's own.
+  bool exact() const { return cut_ || filled_; }
+  double spacing() const { return lattice_.spacing; }
+  /// Length: places as near to each other as this are one. 1e-9 of the spacing and the rounding of the coordinates.
+  double tolerance() const { return tolerance_; }
+  const Solid& solid() const { return solid_; }
   Cell cell_of(const deck::Point& position) const;
+  CellBox box(const Cell& cell) const;
   /// The cell has a particle: its centre is inside the shape.
   bool kept(const Cell& cell) const;
+  /// The cell and all around it are inside.
+  bool deep(const Cell& cell) const;
   /// What is inside of the cell, 0 to 1.
   double inside(const Cell& cell);
   /// Of the cell's particle, over a whole cell's volume: 1 inside.
   double volume(const Cell& cell);
   /// Cells with particles that stand for what is inside of a cell without one: the nearest of those around it.
   std::vector<Cell> owners(const Cell& cell) const;
+  /// Shares of a particle in the cells around its own that have none: visit(cell, share).
+  template <class Visit>
+  void owned_around(const Cell& own, const Visit& visit) const;
 
-  /// The surface within a cell.
-  struct Patch {
-    deck::Point area{};  ///< vector of area, along the outward normal (2-D: of length)
-    deck::Point center{};
-  };
-  /// What of it is not a face of a whole cell (exposed_faces.hpp); its area is zero where there is nothing.
-  Patch patch(const Cell& cell);
-  /// True where the face towards `axis`, on `side` (-1 or 1) of a particle's cell is all surface: the cell is whole,
-  /// and nothing is inside of the next one.
-  bool whole_face(const Cell& cell, int axis, int side);
-
+ private:
   /// visit(cell, square of the distance in spacings) for the 26 cells (2-D: 8) around one.
   template <class Visit>
   void around(const Cell& cell, const Visit& visit) const;
-
- private:
-  enum class Kind : std::uint8_t { empty, cut, full };
   deck::Point center(const Cell& cell) const;
-  bool contains_point(const deck::Point& point) const;
-  Kind corners(const Cell& cell) const;
-  double sampled(const Cell& cell) const;
-  struct Face {
-    double inside = 0;    ///< share of the face
-    deck::Point first{};  ///< its first moment about the face's centre, over spacing times the face's size
-  };
-  /// The face on the upper side of a cell along an axis.
-  const Face& upper_face(const Cell& cell, int axis);
-  const deck::BodyPart& part_;
+  double share_of(const Cell& own, const Cell& other) const;
+
   Lattice lattice_;
-  bool none_ = false;
+  Solid solid_;
+  double tolerance_ = 0;
+  bool cut_ = false, filled_ = false;
   std::unordered_map<std::uint64_t, double> inside_;
-  std::unordered_map<std::uint64_t, Face> faces_;
 };
 
 template <class Visit>
@@ -70,6 +69,13 @@ void CutCells::around(const Cell& cell, const Visit& visit) const {
     for (long long y = -1; y <= 1; ++y)
       for (long long x = -1; x <= 1; ++x)
         if (x != 0 || y != 0 || z != 0) visit(Cell{cell[0] + x, cell[1] + y, cell[2] + z}, x * x + y * y + z * z);
+}
+
+template <class Visit>
+void CutCells::owned_around(const Cell& own, const Visit& visit) const {
+  around(own, [&](const Cell& cell, long long) {
+    if (const double share = kept(cell) ? 0 : share_of(own, cell); share > 0) visit(cell, share);
+  });
 }
 
 }  // namespace perinox::body

@@ -9,7 +9,7 @@
 namespace perinox::body {
 
 /// The cubic (2-D: square) lattice of cell centres over a shape's bounding box, centred in it. Along an axis of length
-/// L there are max(1, round(L/spacing)) cells.
+/// L there are max(1, round(L/spacing)) cells; half a cell is rounded up, whatever the rounding of the coordinates.
 struct Lattice {
   deck::Point first;   ///< centre of the first cell; 2-D: z = 0
   double spacing = 0;  ///< length
@@ -20,6 +20,8 @@ struct Lattice {
   Lattice(const deck::BodyPart& part, int dimension);
   long long rows() const { return cells[1] * cells[2]; }  ///< rows run along x
   double volume() const;                                  ///< of a cell: spacing^dimension
+  /// Length: 1e-9 of the spacing and the rounding of the shape's coordinates.
+  double tolerance(const deck::BodyPart& part) const;
 };
 
 /// More centres than this are taken for a slip of the unit or of a digit, and refused before anything is allocated.

@@ -1,4 +1,5 @@
 #pragma once
+#include "perinox/body/solid.hpp"
 #include "perinox/deck/deck.hpp"
 
 namespace perinox::body {
@@ -12,9 +13,14 @@ struct Bounds {
 /// Throws std::logic_error for a point cloud, which has no shape.
 Bounds bounds(const deck::Shape& shape);
 
-/// True where the point is inside the shape or on its surface (within 1e-10 of the shape's size, so that rounding
-/// cannot make a symmetric lattice lopsided). What a difference or a hole takes away includes the surface of the part
-/// taken away. dimension 2: z is ignored.
+/// Largest absolute coordinate of the box; dimension 2: of x and y.
+double largest_coordinate(const Bounds& box, int dimension);
+
+/// True where the point is inside the shape or on its surface (within the surface's slack, so that rounding cannot make
+/// a symmetric lattice lopsided). What a difference or a hole takes away includes the surface of the part taken away.
+/// dimension 2: z is ignored. Throws std::logic_error for a point cloud.
 bool contains(const deck::Shape& shape, const deck::Point& point, int dimension);
+/// The same of a shape made ready by solid_of, for many points; in 2-D z = 0.
+bool contains(const Solid& solid, const deck::Point& point);
 
 }  // namespace perinox::body

@@ -1,0 +1,38 @@
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "facets.hpp"
+#include "perinox/body/body.hpp"
+#include "perinox/body/cut_cells.hpp"
+
+namespace perinox::body {
+
+/// The surfaces of the deck's bodies, cell by cell.
+class BodySurfaces {
+ public:
+  /// facing: of FacetQuery.
+  BodySurfaces(const deck::Deck& deck, int dimension, const std::optional<deck::Point>& facing);
+
+  CutCells& cells(int part);
+  /// Of the part's shape in one of its cells.
+  std::vector<Facet> facets(int part, const CutCells::Cell& cell);
+
+  /// Where the straight line out of a particle along an axis (side: 1 or -1) leaves the body's shape.
+  struct Exit {
+    deck::Point normal{};  ///< outward, of the shape's surface
+    bool touched = false;  ///< another body's shape begins there, and bodies bond
+  };
+  Exit exit(int part, const deck::Point& particle, int axis, int side);
+
+ private:
+  const deck::Deck& deck_;
+  int dimension_;
+  std::optional<deck::Point> facing_;
+  std::map<int, std::unique_ptr<CutCells>> cells_;
+  std::vector<std::unique_ptr<Solid>> solids_;  ///< of each part; null for a point cloud
+};
+
+}  // namespace perinox::body

@@ -1,0 +1,172 @@
+#include "facets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "facet_pieces.hpp"
+#include "panels.hpp"
+#include "vectors.hpp"
+
+namespace perinox::body {
+
+namespace {
+
+constexpr int points = 12;             // of a quadrature between two breaks
+constexpr double along_facing = 1e-9;  // cosine: a face at right angles to `facing` does not look along it
+constexpr double pi = 3.14159265358979323846;
+
+void list_leaves(const Solid& solid, std::vector<const Solid*>& leaves) {
+  if (solid.kind == Solid::Kind::convex) leaves.push_back(&solid);
+  for (const Solid& part : solid.parts) list_leaves(part, leaves);
+}
+
+/// A unit vector at right angles to n: along an axis where n is.
+Point beside(const Point& n) {
+  std::size_t least = 0;
+  for (std::size_t c = 1; c < 3; ++c)
+    if (std::abs(n[c]) < std::abs(n[least])) least = c;
+  Point axis{};
+  axis[least] = 1;
+  return unit(across(axis, n));
+}
+
+/// Integrates over one surface of one leaf, for both sides on which the body can be.
+class FacetIntegrals {
+ public:
+  FacetIntegrals(const FacetPieces& pieces, const Arrangement& arrangement, const Surface& on, const FacetQuery& query)
+      : pieces_(pieces), arrangement_(arrangement), on_(on), query_(query) {
+    middle_ = times(0.5, plus(query.box.lo, query.box.hi));
+    reach_ = norm(minus(query.box.hi, query.box.lo));
+    facet_[0].surface = facet_[1].surface = on;
+    facet_[1].side = -1;
+    form_ = arrangement.rough() ? Form::rough : Form::root;
+    const bool flat = !(query.box.hi[2] > query.box.lo[2]);
+    if (on.kind == Surface::Kind::plane)
+      flat ? add_straight({-on.direction[1], on.direction[0], 0}, foot(), 1, on.direction) : plane();
+    else if (on.kind == Surface::Kind::ball)
+      flat ? add_circle(0, on.radius) : ball();
+    else
+      tube();
+  }
+  void append(std::vector<Facet>& facets) const {
+    for (const Facet& facet : facet_)
+      if (facet.whole.area > 0) facets.push_back(facet);
+  }
+
+ private:
+  Facet& facet(int side) { return facet_[side > 0 ? 0 : 1]; }
+  Point foot() const { return along(middle_, -distance(on_, middle_), on_.direction); }
+  void add_straight(const Point& direction, const Point& at, double width, const Point& n);
+  void add_circle(double height, double width);
+  void plane();
+  void tube();
+  void ball();
+
+  const FacetPieces& pieces_;
+  const Arrangement& arrangement_;
+  const Surface& on_;
+  const FacetQuery& query_;
+  Point middle_{};
+  double reach_ = 0;
+  Form form_ = Form::root;
+  Facet facet_[2];
+};
+
+/// The piece of a straight line near the cell; n: the surface's normal there.
+void FacetIntegrals::add_straight(const Point& direction, const Point& at, double width, const Point& n) {
+  const Line line{at, direction, -reach_, reach_};
+  pieces_.pieces(line, [&](int side, const Intervals& pieces, bool open) {
+    const Point out = times(side, n);
+    if (open) facet(side).untouched += width * length(pieces);
+    if (open && query_.facing && !(dot(out, *query_.facing) > along_facing)) return;
+    add_line(open ? facet(side).open : facet(side).whole, pieces, line, width, out, middle_);
+  });
+}
+
+/// The circle of a ball at a height over its centre along z.
+void FacetIntegrals::add_circle(double height, double width) {
+  const double radius = std::sqrt((on_.radius - height) * (on_.radius + height));
+  const Circle circle{along(on_.at, height, {0, 0, 1}), {1, 0, 0}, {0, 1, 0}, radius};
+  pieces_.pieces(circle, [&](int side, Intervals pieces, bool open) {
+    if (open) facet(side).untouched += width * length(pieces);
+    if (open && query_.facing)
+      pieces = intersect(pieces, circle.within({Surface::Kind::plane, on_.at, times(-side, *query_.facing), 0, 0}));
+    add_arc(open ? facet(side).open : facet(side).whole, pieces, circle, height / on_.radius, {0, 0, 1}, on_, side,
+            width, middle_);
+  });
+}
+
+void FacetIntegrals::plane() {
+  const Point v = beside(on_.direction), u = cross(v, on_.direction), at = foot();
+  std::vector<double> breaks = arrangement_.breaks_of_plane(on_, u);
+  const double here = dot(at, u);
+  over_panels<points>(breaks, here - reach_, here + reach_, arrangement_.straight() ? Form::polynomial : form_,
+                      [&](double x, double weight) { add_straight(v, along(at, x - here, u), weight, on_.direction); });
+}
+
+void FacetIntegrals::tube() {
+  const Point u = beside(on_.direction), v = cross(on_.direction, u);
+  const Point away = across(minus(middle_, on_.at), on_.direction);
+  const double off = norm(away), seen = off > 0.5 * reach_ ? std::asin(0.5 * reach_ / off) + 1e-6 : pi;
+  const double toward = off > 0 ? std::atan2(dot(away, v), dot(away, u)) : 0;
+  std::vector<double> breaks = arrangement_.breaks_of_tube(on_, u, v);
+  if (query_.facing)
+    for (const double turn : {-pi / 2, pi / 2})
+      breaks.push_back(std::atan2(dot(*query_.facing, v), dot(*query_.facing, u)) + turn);
+  for (const double turn : {0.0, pi / 2, pi, -pi / 2}) breaks.push_back(toward + turn);
+  for (double& one : breaks) one = toward + std::remainder(one - toward, 2 * pi);
+  const double height = dot(minus(middle_, on_.at), on_.direction);
+  over_panels<points>(breaks, toward - seen, toward + seen, form_, [&](double angle, double weight) {
+    const Point n = plus(times(std::cos(angle), u), times(std::sin(angle), v));
+    const Point at = along(along(on_.at, height, on_.direction), on_.radius, n);
+    add_straight(on_.direction, at, on_.radius * weight, n);
+  });
+}
+
+void FacetIntegrals::ball() {
+  const double lo = std::max(query_.box.lo[2] - on_.at[2], -on_.radius);
+  const double hi = std::min(query_.box.hi[2] - on_.at[2], on_.radius);
+  if (!(lo < hi)) return;
+  std::vector<double> breaks = arrangement_.breaks_of_space({0, 0, 1});
+  for (double& one : breaks) one -= on_.at[2];
+  over_panels<points>(breaks, lo, hi, form_,
+                      [&](double height, double weight) { add_circle(height, on_.radius * weight); });
+}
+
+}  // namespace
+
+std::vector<Facet> facets_in(const Solid& solid, const FacetQuery& query) {
+  constexpr double grown = 20;  // tolerances: surfaces in the cell's faces are seen from both sides
+  CellBox around = query.box;
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!(around.hi[c] > around.lo[c])) continue;
+    around.lo[c] -= grown * query.tolerance;
+    around.hi[c] += grown * query.tolerance;
+  }
+  if (where(solid, around) != Where::cut) return {};
+  const Solid here = reduced(solid, around);
+  std::vector<Solid> others;
+  for (const Solid* other : query.others) {
+    const Where place = where(*other, around);
+    if (place == Where::cut) others.push_back(reduced(*other, around));
+    if (place == Where::inside) others.push_back({Solid::Kind::convex, {}, {}});
+  }
+  Solid all{Solid::Kind::unite, {}, others};
+  all.parts.push_back(here);
+  Arrangement arrangement(all, query.box);
+  std::vector<const Solid*> leaves;
+  list_leaves(here, leaves);
+  std::vector<Facet> facets;
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+    for (const Surface& on : leaves[leaf]->surfaces) {
+      const FacetPieces pieces(here, leaves, leaf, on, others, query);
+      if (pieces.shut()) continue;
+      Arrangement split = arrangement;
+      if (query.facing && on.kind == Surface::Kind::ball)
+        split.add_plane({Surface::Kind::plane, on.at, *query.facing, 0, 0});
+      FacetIntegrals(pieces, split, on, query).append(facets);
+    }
+  return facets;
+}
+
+}  // namespace perinox::body

@@ -1,0 +1,72 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace perinox::body {
+
+/// Points and weights of Gauss-Legendre quadrature over [-1, 1].
+template <int count>
+struct Gauss {
+  std::array<double, count> point{}, weight{};
+  Gauss() {
+    for (int k = 0; k < count; ++k) {
+      double x = std::cos(M_PI * (k + 0.75) / (count + 0.5)), slope = 1;
+      for (int pass = 0; pass < 50; ++pass) {
+        double before = 1, now = x;
+        for (int n = 2; n <= count; ++n) {
+          const double next = ((2 * n - 1) * x * now - (n - 1) * before) / n;
+          before = now;
+          now = next;
+        }
+        slope = count == 1 ? 1 : count * (x * now - before) / (x * x - 1);
+        const double step = now / slope;
+        x -= step;
+        if (std::abs(step) < 1e-16) break;
+      }
+      point[static_cast<std::size_t>(k)] = x;
+      weight[static_cast<std::size_t>(k)] = 2 / ((1 - x * x) * slope * slope);
+    }
+  }
+};
+
+/// What is integrated between breaks: a polynomial of at most third degree; a smooth function with square roots of the
+/// distance to the breaks; or one with breaks that are not known besides.
+enum class Form { polynomial, root, rough };
+
+/// Calls point(x, weight) for the points of a quadrature over [lo, hi] that is split at the breaks within. No point
+/// lies on a break. Replaces the order of `breaks`.
+template <int count, class AtPoint>
+void over_panels(std::vector<double>& breaks, double lo, double hi, Form form, const AtPoint& point) {
+  static const Gauss<count> gauss;
+  static const Gauss<2> two;
+  std::sort(breaks.begin(), breaks.end());
+  const double least = 1e-14 * (hi - lo);
+  const auto panel = [&](double from, double to) {
+    const double half = (to - from) / 2, middle = (from + to) / 2;
+    if (form == Form::polynomial) {
+      for (std::size_t k = 0; k < 2; ++k) point(middle + half * two.point[k], half * two.weight[k]);
+      return;
+    }
+    // x = middle + half sin(angle) makes roots of the distance to either end smooth.
+    for (std::size_t k = 0; k < count; ++k) {
+      const double angle = M_PI / 2 * gauss.point[k];
+      point(middle + half * std::sin(angle), half * M_PI / 2 * gauss.weight[k] * std::cos(angle));
+    }
+  };
+  const auto panels = [&](double from, double to) {
+    const int pieces = form == Form::rough ? 4 : 1;
+    for (int k = 0; k < pieces; ++k) panel(from + (to - from) * k / pieces, from + (to - from) * (k + 1) / pieces);
+  };
+  double from = lo;
+  for (const double one : breaks) {
+    if (!(one < hi)) break;
+    if (!(one - from > least)) continue;
+    panels(from, one);
+    from = one;
+  }
+  if (hi > from) panels(from, hi);
+}
+
+}  // namespace perinox::body

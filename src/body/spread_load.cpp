@@ -1,0 +1,127 @@
+#include "spread_load.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "vectors.hpp"
+
+namespace perinox::body {
+
+namespace {
+
+// Of the spacing: how far around a particle its surface's load is spread, how deep, and how wide.
+constexpr double farthest = 3.1, deepest = 3, highest = 1, width = 0.6;
+
+/// A share that another rank's particle carries.
+struct Sent {
+  GlobalId id;
+  FaceShare share;
+};
+
+/// The particles that carry a facet's load, and how much of it each would rather have.
+struct Carriers {
+  std::vector<LocalIndex> particle;
+  std::vector<double> preference;
+};
+
+Carriers carriers_of(const Facet& facet, const Point& center, const Body& body, LocalIndex i, double h,
+                     const NeighborSearch& search) {
+  const double straight = norm(facet.whole.normal);
+  // A piece that is bent round onto itself has no direction.
+  const Point n = straight > 0.1 * facet.whole.area ? times(1 / straight, facet.whole.normal) : Point{};
+  // Only what is within reach of the particle is known to be on this rank.
+  const double radius = std::min(farthest * h, body.reach) * (1 + 1e-9);
+  std::vector<LocalIndex> found;
+  search.within(body.position(i), radius, found);
+  Carriers carriers;
+  for (const LocalIndex j : found) {
+    if (body.part[static_cast<std::size_t>(j)] != body.part[static_cast<std::size_t>(i)]) continue;
+    const Point away = minus(body.position3(j), center);
+    const double depth = -dot(away, n);
+    if (j != i && (depth > deepest * h || depth < -highest * h)) continue;
+    carriers.particle.push_back(j);
+    carriers.preference.push_back(std::exp(-std::max(0.0, dot(away, away) - depth * depth) / (width * width * h * h)));
+  }
+  return carriers;
+}
+
+/// What the carriers get of integrals of 1 and x (about `center`) so that their sum and first moment are the same.
+/// integrals: [1 + dimension][columns].
+Eigen::MatrixXd distribute(const Carriers& carriers, const Point& center, const Body& body, double h,
+                           const Eigen::MatrixXd& integrals) {
+  const auto count = static_cast<Eigen::Index>(carriers.particle.size()), d = Eigen::Index{body.dimension};
+  const Eigen::VectorXd w = Eigen::Map<const Eigen::VectorXd>(carriers.preference.data(), count);
+  Eigen::MatrixXd x(count, d);
+  for (Eigen::Index k = 0; k < count; ++k)
+    for (Eigen::Index c = 0; c < d; ++c)
+      x(k, c) =
+          (body.position(carriers.particle[static_cast<std::size_t>(k)])[c] - center[static_cast<std::size_t>(c)]) / h;
+  // About the carriers' own middle the sum is kept whether or not they span space.
+  const Eigen::RowVectorXd middle = w.transpose() * x / w.sum();
+  x.rowwise() -= middle;
+  const Eigen::MatrixXd moments = integrals.bottomRows(d) / h - middle.transpose() * integrals.topRows(1);
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+  solver.setThreshold(1e-8);
+  solver.compute(x.transpose() * w.asDiagonal() * x);
+  return w.asDiagonal() *
+         (Eigen::VectorXd::Constant(count, 1 / w.sum()) * integrals.topRows(1) + x * solver.solve(moments));
+}
+
+}  // namespace
+
+void hand_over(const Body& body, std::vector<FaceShare>& shares) {
+  if (body.communicator.size() == 1) return;
+  std::vector<Sent> mine;
+  for (const FaceShare& share : shares)
+    if (share.particle >= body.owned) mine.push_back({body.id[static_cast<std::size_t>(share.particle)], share});
+  shares.erase(std::remove_if(shares.begin(), shares.end(), [&](const auto& s) { return s.particle >= body.owned; }),
+               shares.end());
+  const auto bytes = static_cast<long long>(mine.size() * sizeof(Sent));
+  std::vector<int> counts, starts{0};
+  for (const long long count : body.communicator.gather(bytes)) {
+    counts.push_back(static_cast<int>(count));
+    starts.push_back(starts.back() + counts.back());
+  }
+  std::vector<Sent> all(static_cast<std::size_t>(starts.back()) / sizeof(Sent));
+  MPI_Allgatherv(mine.data(), static_cast<int>(bytes), MPI_BYTE, all.data(), counts.data(), starts.data(), MPI_BYTE,
+                 body.communicator.mpi());
+  const auto end = body.id.begin() + body.owned;
+  for (Sent& sent : all) {
+    const auto found = std::lower_bound(body.id.begin(), end, sent.id);
+    if (found == end || *found != sent.id) continue;
+    sent.share.particle = static_cast<LocalIndex>(found - body.id.begin());
+    shares.push_back(sent.share);
+  }
+}
+
+void spread_load(const Facet& facet, const Point& middle, double weight, const Body& body, LocalIndex i, double spacing,
+                 const std::optional<Point>& facing, const NeighborSearch& search, std::vector<FaceShare>& shares) {
+  if (!(facet.open.area > 0)) return;
+  const Point center = along(middle, 1 / facet.whole.area, facet.whole.first);
+  const Carriers carriers = carriers_of(facet, center, body, i, spacing, search);
+  const auto d = static_cast<std::size_t>(body.dimension);
+  // Columns: the normal's components, and the area; rows: their integrals and first moments about the facet's centre.
+  Eigen::MatrixXd integrals(static_cast<Eigen::Index>(d) + 1, static_cast<Eigen::Index>(d) + 1);
+  const auto about = [&](double first, double sum, std::size_t c) { return first - (center[c] - middle[c]) * sum; };
+  for (std::size_t k = 0; k <= d; ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    const double sum = k < d ? facet.open.normal[k] : facet.open.area;
+    integrals(0, column) = weight * sum;
+    for (std::size_t c = 0; c < d; ++c)
+      integrals(static_cast<Eigen::Index>(c) + 1, column) =
+          weight * about(k < d ? facet.open.moment[c][k] : facet.open.first[c], sum, c);
+  }
+  const Eigen::MatrixXd parts = distribute(carriers, center, body, spacing, integrals);
+  const Point loaded = along(middle, 1 / facet.open.area, facet.open.first);
+  for (std::size_t k = 0; k < carriers.particle.size(); ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    FaceShare share{carriers.particle[k], loaded, {}, parts(row, static_cast<Eigen::Index>(d))};
+    for (std::size_t c = 0; c < d; ++c) share.area[c] = parts(row, static_cast<Eigen::Index>(c));
+    if (facing) share.size = dot(share.area, *facing);
+    const double most = norm(share.area) + std::abs(share.size);
+    if (most > 1e-17 * facet.whole.area) shares.push_back(share);
+  }
+}
+
+}  // namespace perinox::body

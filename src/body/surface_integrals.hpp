@@ -1,0 +1,22 @@
+#pragma once
+#include "curves.hpp"
+
+namespace perinox::body {
+
+/// Integrals over a piece of surface (2-D: of a line), positions x from the middle of the cell.
+struct SurfaceIntegrals {
+  double area = 0;
+  deck::Point first{};       ///< of x
+  deck::Point normal{};      ///< of the unit normal out of the body
+  double moment[3][3] = {};  ///< [c][k] of x_c n_k
+};
+
+/// Adds pieces of a straight line in a plane or along a tube, that stand for a strip of this width; n: its normal.
+void add_line(SurfaceIntegrals& sum, const Intervals& pieces, const Line& line, double width, const deck::Point& n,
+              const deck::Point& middle);
+/// Adds pieces of a circle on a ball, `rise` of its radius from its centre along e. width: area over angle; side: -1
+/// where the body is outside of the ball.
+void add_arc(SurfaceIntegrals& sum, const Intervals& pieces, const Circle& circle, double rise, const deck::Point& e,
+             const Surface& ball, int side, double width, const deck::Point& middle);
+
+}  // namespace perinox::body
