@@ -8,6 +8,7 @@
 #include "check.hpp"
 #include "perinox/deck/expression.hpp"
 #include "perinox/deck/scalar.hpp"
+#include "remedies.hpp"
 
 namespace perinox::deck {
 namespace {
@@ -36,16 +37,10 @@ std::string check_number(const Node& node, const Key& key, const std::string& na
   if (is_infinite_or_nan(node.text)) {
     refuse(node.location, fmt::format("{} must be a finite number, but '{}' was found", name, node.text));
   }
-  std::string fixed = node.text;
-  for (char& c : fixed) {
-    if (c == ',') c = '.';
-    if (c == 'd' || c == 'D') c = 'e';
-  }
-  const std::string hint = fixed != node.text && parse_number(fixed) ? "; write " + fixed : "";
   const bool digits = !node.text.empty() && node.text.find_first_not_of("0123456789.eE+-") == std::string::npos &&
                       node.text.find_first_of("0123456789") != std::string::npos;
   refuse(node.location, fmt::format("{} must be a number{}, but '{}' was found{}", name,
-                                    digits ? " that double precision can hold" : "", node.text, hint));
+                                    digits ? " that double precision can hold" : "", node.text, right_number(node)));
 }
 
 std::string check_integer(const Node& node, const Key& key, const std::string& name) {
@@ -58,13 +53,20 @@ std::string check_integer(const Node& node, const Key& key, const std::string& n
   const auto number = parse_number(node.text);
   const bool whole =
       number && *number > -1e15 && *number < 1e15 && static_cast<double>(static_cast<long long>(*number)) == *number;
-  const std::string hint = whole ? fmt::format("; write {}", static_cast<long long>(*number)) : "";
+  const std::string hint = whole ? fmt::format("; write {}", static_cast<long long>(*number)) : right_number(node);
   refuse(node.location, fmt::format("{} must be a whole number, but '{}' was found{}", name, node.text, hint));
 }
 
 std::string check_boolean(const Node& node, const std::string& name) {
   if (!node.quoted && (node.text == "true" || node.text == "false")) return node.text;
-  refuse(node.location, fmt::format("{} must be true or false, but '{}' was found", name, node.text));
+  std::string lower = node.text;
+  for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  const bool yes = lower == "true" || lower == "yes" || lower == "on" || lower == "1";
+  const bool no = lower == "false" || lower == "no" || lower == "off" || lower == "0";
+  refuse(node.location, fmt::format("{} must be true or false, but '{}' was found{}", name, node.text,
+                                    yes  ? "; write true"
+                                    : no ? "; write false"
+                                         : ""));
 }
 
 std::string check_word(const Node& node, const Key& key, const std::string& name) {
@@ -110,6 +112,12 @@ std::string check_expression(const Node& node, const std::string& name) {
 }  // namespace
 
 Value check_scalar(const Node& node, const Key& key, const std::string& name, const std::string& folder) {
+  const bool one_word = key.type != Type::text && key.type != Type::path && key.type != Type::expression;
+  if (one_word && node.goes_on.line > 0)
+    refuse(node.goes_on, fmt::format("to YAML this line goes on with the value of {} in line {}, because it is indented "
+                                     "further and has no colon with a blank behind it; write it as KEY: VALUE, "
+                                     "indented as the other keys",
+                                     name, node.location.line));
   std::string text;
   switch (key.type) {
     case Type::number:

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "layout.hpp"
+
 namespace perinox::deck {
 namespace {
 
@@ -17,8 +19,8 @@ constexpr std::size_t most_from_aliases = 10'000;
 
 class TreeBuilder {
  public:
-  TreeBuilder(const std::string& file, std::size_t characters)
-      : file_(file), most_nodes_(characters + most_from_aliases) {}
+  TreeBuilder(const std::string& file, const std::string& yaml)
+      : file_(file), yaml_(yaml), most_nodes_(yaml.size() + most_from_aliases) {}
 
   Node build(const YAML::Node& yaml, const Location& around, int depth) {
     Node node;
@@ -36,6 +38,7 @@ class TreeBuilder {
       node.kind = Node::Kind::scalar;
       node.text = yaml.Scalar();
       node.quoted = yaml.Tag() == "!";
+      if (!node.quoted) node.goes_on = place_in_next_line(node);
     } else if (yaml.IsSequence()) {
       node.kind = Node::Kind::list;
       for (const auto& item : yaml) node.items.push_back(build(item, node.location, depth + 1));
@@ -62,21 +65,39 @@ class TreeBuilder {
     return {file_, mark.line + 1, mark.column + 1};
   }
 
+  /// Where a scalar without quotes goes on in a later line; line 0 if it ends on its own.
+  Location place_in_next_line(const Node& scalar) {
+    if (scalar.text.find(' ') == std::string::npos || scalar.location.line <= 0) return {};
+    if (line_starts_.empty()) {
+      line_starts_.push_back(0);
+      for (std::size_t k = 0; k < yaml_.size(); ++k)
+        if (yaml_[k] == '\n') line_starts_.push_back(k + 1);
+    }
+    const auto line = static_cast<std::size_t>(scalar.location.line);
+    if (line >= line_starts_.size()) return {};
+    const std::size_t begin = line_starts_[line - 1], found = yaml_.find(scalar.text, begin);
+    if (found != std::string::npos && found < line_starts_[line]) return {};
+    for (std::size_t later = line; later < line_starts_.size(); ++later) {
+      const std::size_t first = yaml_.find_first_not_of(" \t\r", line_starts_[later]);
+      if (first != std::string::npos && yaml_[first] != '\n')
+        return {file_, static_cast<int>(later) + 1, static_cast<int>(first - line_starts_[later]) + 1};
+    }
+    return {};
+  }
+
   std::string file_;
+  const std::string& yaml_;
+  std::vector<std::size_t> line_starts_;  ///< empty until they are needed
   std::size_t most_nodes_;
   std::size_t nodes_ = 0;
 };
 
-/// True if the line (from 0) starts with blanks and a tab.
-bool is_indented_by_tab(const std::string& yaml, int line) {
-  std::size_t begin = 0;
-  for (int i = 0; i < line && begin != std::string::npos; ++i) {
-    begin = yaml.find('\n', begin);
-    if (begin != std::string::npos) ++begin;
-  }
-  if (begin == std::string::npos) return false;
-  const std::size_t first = yaml.find_first_not_of(' ', begin);
-  return first != std::string::npos && yaml[first] == '\t';
+/// Refuses the text at the slip in its layout, or, where there is none before `where`, there with `sentence`.
+[[noreturn]] void refuse_layout(const std::string& yaml, const Location& where, const std::string& sentence) {
+  const auto slip = find_layout_mistake(yaml);
+  if (slip && (where.line <= 0 || slip->line <= where.line))
+    refuse({where.file, slip->line, slip->column}, slip->sentence);
+  refuse(where, sentence);
 }
 
 /// Hears only where documents start.
@@ -107,7 +128,7 @@ void refuse_second_document(const std::string& yaml, const std::string& file) {
   if (yaml.compare(std::min(at, yaml.size()), 3, "---") == 0) {
     refuse(where, "a second YAML document starts here; a deck is one document, so remove the line ---");
   }
-  refuse(where, "this does not belong to the lines above; check indentation, commas and brackets");
+  refuse_layout(yaml, where, "this does not belong to the lines above; check indentation, commas and brackets");
 }
 
 std::string syntax_sentence(const std::string& message) {
@@ -190,16 +211,19 @@ const Node* Node::find(const std::string& key) const {
 Node parse_yaml(const std::string& yaml, const std::string& file) {
   try {
     refuse_second_document(yaml, file);
-    return TreeBuilder(file, yaml.size()).build(YAML::Load(yaml), {file, 1, 1}, 0);
+    return TreeBuilder(file, yaml).build(YAML::Load(yaml), {file, 1, 1}, 0);
   } catch (const YAML::DeepRecursion& error) {
     refuse({file, error.mark.line + 1, error.mark.column + 1}, "lists and maps are nested far too deep here");
   } catch (const YAML::Exception& error) {
     const bool known = error.mark.line >= 0;
-    if (known && is_indented_by_tab(yaml, error.mark.line)) {
-      refuse({file, error.mark.line + 1, 1}, "a tab cannot indent a line in YAML; use blanks");
-    }
-    refuse({file, known ? error.mark.line + 1 : 0, known ? error.mark.column + 1 : 0}, syntax_sentence(error.msg));
+    refuse_layout(yaml, {file, known ? error.mark.line + 1 : 0, known ? error.mark.column + 1 : 0},
+                  syntax_sentence(error.msg));
   }
+}
+
+void refuse_hidden_slip(const std::string& yaml, const std::string& file) {
+  const auto slip = find_layout_mistake(yaml);
+  if (slip && slip->hidden) refuse({file, slip->line, slip->column}, slip->sentence);
 }
 
 void apply_override(Node& root, const std::string& override_text) {

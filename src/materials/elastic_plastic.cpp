@@ -208,8 +208,15 @@ deck::ModelDeclaration declaration() {
       "discrete: the yield value uses each point's own weighted volume; continuum: that of a full continuous "
       "neighbourhood, Eq. 51, as other codes have it.";
   model.keys.push_back(scaling);
-  model.fields = point_history;
-  model.fields.push_back("plastic_strain_zz");  // in 2-D
+  const std::string where = "where a material is elastic-plastic; 0 in the others' particles";
+  model.fields = {{point_history[multiplier],
+                   "Plastic multiplier lambda, summed over the steps: the plastic extension of a bond grows by it times "
+                   "the deviatoric force state; greater than 0 where anything has flowed.",
+                   "length^2*volume/stress", "1", where},
+                  {point_history[equivalent_strain],
+                   "Equivalent plastic strain, summed over the steps: in a tension test the plastic strain along the bar.",
+                   "-", "1", where},
+                  {"plastic_strain_zz", "Plastic strain out of the plane.", "-", "1", "in 2-D, " + where, true}};
   return model;
 }
 
