@@ -8,6 +8,7 @@
 #include "perinox/body/cloud.hpp"
 #include "perinox/body/ghosts.hpp"
 #include "perinox/body/lattice.hpp"
+#include "perinox/body/lengths.hpp"
 #include "perinox/body/named_sets.hpp"
 #include "perinox/body/neighbor_count.hpp"
 #include "perinox/body/neighbor_search.hpp"
@@ -167,6 +168,7 @@ Body build(const deck::Deck& deck, const Communicator& communicator, double reac
   body.spacing = common_spacing(deck);
   const std::vector<int> materials = material_indices(deck);
 
+  refuse_unfit_lengths(deck, reach);
   const double memory = machine_memory(communicator);
   refuse_too_large(deck, reach, spacing, memory);
   std::vector<Particle> particles = make_particles(deck, communicator);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "perinox/body/together.hpp"
 
@@ -72,6 +73,21 @@ struct Find {
   }
 };
 
+/// "from (0.5, 0.5) to (3.5, 1.5)": the box around the particles of all ranks. Collective.
+std::string place_of_particles(const Body& body) {
+  std::vector<std::string> lows, highs;
+  for (int axis = 0; axis < body.dimension; ++axis) {
+    double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
+    for (LocalIndex i = 0; i < body.owned; ++i) {
+      low = std::min(low, body.position(i)[axis]);
+      high = std::max(high, body.position(i)[axis]);
+    }
+    lows.push_back(fmt::format("{:g}", body.communicator.min(low)));
+    highs.push_back(fmt::format("{:g}", body.communicator.max(high)));
+  }
+  return fmt::format("from ({}) to ({})", fmt::join(lows, ", "), fmt::join(highs, ", "));
+}
+
 }  // namespace
 
 std::map<std::string, Members> find_sets(const deck::Deck& deck, const Body& body, double spacing) {
@@ -90,8 +106,8 @@ std::map<std::string, Members> find_sets(const deck::Deck& deck, const Body& bod
     together(body.communicator, [&] { members = std::visit(Find{deck, body, set, spacing}, set.form); });
     if (body.communicator.sum(static_cast<long long>(members.size())) == 0) {
       deck::refuse(set.location, fmt::format("the set {} is empty: none of the {} particles is in it; widen its "
-                                             "condition or take the set out",
-                                             set.name, body.total));
+                                             "condition or take the set out (the particles lie {})",
+                                             set.name, body.total, place_of_particles(body)));
     }
     sets[set.name] = std::move(members);
   }

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "foreign_words.hpp"
 #include "perinox/deck/scalar.hpp"
 #include "remedies.hpp"
 
@@ -63,7 +64,8 @@ class Checker {
     std::vector<std::string> names;
     for (const FieldDeclaration& field : schema_.fields())
       if (!field.plane_only || in_plane_) names.push_back(field.name);
-    const std::string hint = did_you_mean(node.text, names);
+    const std::string own_word = own_word_for(node.text, names);
+    const std::string hint = own_word.empty() ? did_you_mean(node.text, names) : "; did you mean " + own_word + "?";
     refuse(node.location, fmt::format("there is no output field '{}'{}", node.text,
                                       hint.empty() ? "; there is " + listing(names, "and") : hint));
   }
@@ -175,9 +177,9 @@ class Checker {
         if (!model.empty() && std::find(names.begin(), names.end(), entry.key) != names.end())
           others.push_back(other.name);
       }
-      const std::string hint = others.empty() ? right_key(node, entry, known, schema_)
-                                              : fmt::format(" of the model {}; it is one of {}", model,
-                                                            listing(others, "and"));
+      const std::string hint = others.empty()
+                                   ? right_key(node, entry, known, schema_)
+                                   : fmt::format(" of the model {}; it is one of {}", model, listing(others, "and"));
       refuse(entry.location, fmt::format("{} is not a key of {}{}", entry.key, place, hint));
     }
   }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "check.hpp"
+#include "mesh_file.hpp"
 #include "perinox/deck/expression.hpp"
 #include "perinox/deck/scalar.hpp"
 #include "remedies.hpp"
@@ -77,7 +78,7 @@ std::string check_word(const Node& node, const Key& key, const std::string& name
   refuse(node.location, fmt::format("{} cannot be '{}'{}", name, node.text, hint));
 }
 
-std::string check_path(const Node& node, const std::string& name, const std::string& folder) {
+std::string check_path(const Node& node, const Key& key, const std::string& name, const std::string& folder) {
   if (node.text.empty()) refuse(node.location, fmt::format("{} must be a file name, but it is empty", name));
   namespace fs = std::filesystem;
   std::error_code error;
@@ -97,6 +98,10 @@ std::string check_path(const Node& node, const std::string& name, const std::str
   if (!std::ifstream(path)) {
     refuse(node.location, fmt::format("the file {} ({}) cannot be opened; check its permissions", path.string(), name));
   }
+  const std::string mesh = mesh_format(path.string());
+  if (!mesh.empty())
+    refuse(node.location, fmt::format("the file {} ({}) is {}, and perinox reads no meshes; what is read here: {}",
+                                      node.text, name, mesh, key.sentence));
   return path.string();
 }
 
@@ -114,10 +119,11 @@ std::string check_expression(const Node& node, const std::string& name) {
 Value check_scalar(const Node& node, const Key& key, const std::string& name, const std::string& folder) {
   const bool one_word = key.type != Type::text && key.type != Type::path && key.type != Type::expression;
   if (one_word && node.goes_on.line > 0)
-    refuse(node.goes_on, fmt::format("to YAML this line goes on with the value of {} in line {}, because it is indented "
-                                     "further and has no colon with a blank behind it; write it as KEY: VALUE, "
-                                     "indented as the other keys",
-                                     name, node.location.line));
+    refuse(node.goes_on,
+           fmt::format("to YAML this line goes on with the value of {} in line {}, because it is indented "
+                       "further and has no colon with a blank behind it; write it as KEY: VALUE, "
+                       "indented as the other keys",
+                       name, node.location.line));
   std::string text;
   switch (key.type) {
     case Type::number:
@@ -133,7 +139,7 @@ Value check_scalar(const Node& node, const Key& key, const std::string& name, co
       text = check_word(node, key, name);
       break;
     case Type::path:
-      text = check_path(node, name, folder);
+      text = check_path(node, key, name, folder);
       break;
     case Type::expression:
       text = check_expression(node, name);

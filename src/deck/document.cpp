@@ -124,8 +124,9 @@ void refuse_second_document(const std::string& yaml, const std::string& file) {
   if (!parser.HandleNextDocument(starts) || !parser.HandleNextDocument(starts)) return;
   const YAML::Mark mark = starts.latest;
   const Location where{file, std::max(mark.line, 0) + 1, std::max(mark.column, 0) + 1};
-  const auto at = static_cast<std::size_t>(std::max(mark.pos, 0));
-  if (yaml.compare(std::min(at, yaml.size()), 3, "---") == 0) {
+  std::size_t begin = 0;
+  for (int line = 1; line < where.line && begin < yaml.size(); ++line) begin = yaml.find('\n', begin) + 1;
+  if (yaml.compare(begin, 3, "---") == 0) {
     refuse(where, "a second YAML document starts here; a deck is one document, so remove the line ---");
   }
   refuse_layout(yaml, where, "this does not belong to the lines above; check indentation, commas and brackets");
@@ -141,7 +142,9 @@ std::string syntax_sentence(const std::string& message) {
     return "a second colon on this line; put each key on a line of its own, or quotes around a text with a colon";
   }
   if (says("illegal EOF in scalar")) return "a text in quotes is not closed";
-  if (says("referenced anchor")) return "the alias (*name) refers to an anchor (&name) that is not defined before it";
+  if (says("referenced anchor"))
+    return "the alias (*name) refers to an anchor (&name) that is not defined before it; put a text "
+           "that begins with * in quotes";
   if (says("unknown token")) return "this character cannot start a value in YAML; put the text in quotes";
   if (says("end of map not found") || says("end of sequence not found")) {
     return "the indentation does not fit the lines above, or a colon or hyphen is missing";

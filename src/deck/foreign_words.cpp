@@ -11,7 +11,7 @@ struct Word {
   const char* own;
 };
 
-constexpr std::array<Word, 46> words{{
+constexpr std::array<Word, 56> words{{
     {"E", "young_modulus"},
     {"Youngs_modulus", "young_modulus"},
     {"youngs_modulus", "young_modulus"},
@@ -55,20 +55,32 @@ constexpr std::array<Word, 46> words{{
     {"nodesets", "sets"},
     {"nodes", "set"},
     {"region", "set"},
-    {"u", "displacement"},
     {"disp", "displacement"},
     {"direction", "component"},
+    {"force", "reaction"},
+    {"reaction_force", "reaction"},
+    {"name", "set"},
+    {"strain_energy", "stored_energy"},
+    {"energy", "stored_energy"},
+    {"energy_density", "stored_energy"},
+    {"sigma", "stress"},
+    {"epsilon", "strain"},
+    {"PEEQ", "equivalent_plastic_strain"},
+    {"peeq", "equivalent_plastic_strain"},
+    {"u", "displacement"},
 }};
 
 constexpr std::array<Word, 11> advice{{
     {"thickness",
-     "2-D bodies have thickness 1: forces, reactions and energies are per unit thickness, so divide given forces by the "
+     "2-D bodies have thickness 1: forces, reactions and energies are per unit thickness, so divide given forces by "
+     "the "
      "thickness"},
     {"gravity", "give it as a load, boundary: - {set: all, body_force: {...}}, density times acceleration"},
     {"g", "give gravity as a load, boundary: - {set: all, body_force: {...}}, density times acceleration"},
     {"units", "a deck has no key for units: give all numbers in one consistent set of them, such as mm, N and MPa"},
     {"unit", "a deck has no key for units: give all numbers in one consistent set of them, such as mm, N and MPa"},
-    {"mesh", "bodies are filled with particles by body[].shape and spacing, or read from a point cloud, shape: {file: ...}"},
+    {"mesh",
+     "bodies are filled with particles by body[].shape and spacing, or read from a point cloud, shape: {file: ...}"},
     {"fixed", "hold a set by a load, boundary: - {set: ..., displacement: {x: 0, y: 0, z: 0}}"},
     {"temperature", "perinox computes no temperatures and no thermal strain"},
     {"thermal_expansion", "perinox computes no temperatures and no thermal strain"},

@@ -123,7 +123,8 @@ class ItemReader {
     for (; !text_.at_line_end() && !(text_.peek() == ' ' && text_.peek(1) == '#'); text_.advance()) {
       text_.watch_character();
       if (!text_.at_colon()) continue;
-      if (closes && !opened) return text_.mistake(text_.line(), start, "a { is missing here: a } follows that closes none");
+      if (closes && !opened)
+        return text_.mistake(text_.line(), start, "a { is missing here: a } follows that closes none");
       return text_.mistake_here(
           "a second colon on this line; put each key on a line of its own, or quotes around a text with a colon");
     }
@@ -139,8 +140,10 @@ class ItemReader {
       text_.mistake_here(fmt::format("this {} closes nothing that is open; take it out", c));
     else if (first == '"' || first == '\'')
       text_.mistake_here("text follows the closing quote; put the whole value into the quotes");
+    else if (c == ',')
+      text_.mistake_here("a comma follows the closing bracket, but this list or map is not in brackets; take it out");
     else
-      text_.mistake_here("text follows the closing bracket; put it on a line of its own, or take it out");
+      text_.mistake_here("text follows the closing bracket; take it out, or put the whole value into quotes");
   }
 
   /// A text behind | or >: all lines that are indented further than its key.
@@ -212,7 +215,11 @@ class BlockStructure {
     }
     if (item.form == Form::text) return level.form == Form::key ? no_colon(item) : no_hyphen(item);
     if (level.form == Form::text) return no_colon(items_[level.first]);
-    if (level.form == Form::hyphen) return no_hyphen(item);
+    if (level.form == Form::hyphen)
+      return mistake(item,
+                     fmt::format("this line begins in the column of the list's hyphens (line {}) and has none; write "
+                                 "the hyphen, or indent the line as the other keys of its entry",
+                                 before.line));
     mistake(item, fmt::format("a hyphen begins an entry of a list here, but line {} above is a key of the map that "
                               "this line belongs to; indent the list under its key",
                               before.line));
@@ -231,7 +238,8 @@ class BlockStructure {
     const std::string word = text.substr(0, end);
     const std::size_t value = text.find_first_not_of(" \t", end);
     if (word.empty() || value == std::string::npos)
-      return mistake(item, "this is neither a key with a colon behind it nor an entry of a list with a hyphen before it");
+      return mistake(item,
+                     "this is neither a key with a colon behind it nor an entry of a list with a hyphen before it");
     const auto written = [&](std::size_t from) {
       const std::size_t begin = text.find_first_not_of(" \t", from);
       const std::string rest = begin == std::string::npos ? "" : text.substr(begin);
@@ -261,6 +269,10 @@ class BlockStructure {
     const bool blame_later = later < earlier || (later == earlier && !odd);
     const Item& first = items_[level.first];
     const Item& nearest = items_[levels_.empty() || level.column != levels_.back().column ? level.first : level.last];
+    if (blame_later && item.column >= level.column + 2)
+      return mistake(item, fmt::format("this line is indented as if it belonged to {} in line {}, which has a value "
+                                       "already; take that value away, or let both begin in column {}",
+                                       nearest.text.substr(0, 60), nearest.line, level.column + 1));
     if (blame_later) return columns_differ(item, nearest);
     columns_differ(first, item);
   }

@@ -195,26 +195,40 @@ bool LayoutText::close_flow(std::vector<Open>& open) {
 }
 
 /// Plain text up to what ends it. A second colon in it means that a comma was left out before the word that the colon
-/// ends.
+/// ends, or a bracket before the first word; an open parenthesis at its end, that a comma has cut a formula in two.
 void LayoutText::pass_flow_word(Open& inner) {
+  const std::size_t begin = at_;
+  const int start = column();
   std::size_t word = at_;
+  int parentheses = 0;
   for (; !at_line_end() && peek() != ',' && !is_bracket(peek()); ++at_) {
     if (is_blank(peek())) {
-      if (peek(1) == '#') return;
+      if (peek(1) == '#') break;
       word = at_ + 1;
     }
+    parentheses += peek() == '(' ? 1 : peek() == ')' ? -1 : 0;
     watch_character();
     if (!at_colon()) continue;
-    if (inner.bracket == '{' && inner.has_colon) {
-      const int column_of_word = static_cast<int>(word - line_start_);
-      const bool semicolon = text_.find_last_not_of(' ', word - 1) != std::string::npos &&
-                             text_[text_.find_last_not_of(' ', word - 1)] == ';';
-      mistake(line_, column_of_word,
-              semicolon ? "a comma separates the entries of a map, not a semicolon; write a comma before this"
-                        : "a comma is missing before this");
-    }
+    if (inner.bracket == '{' && inner.has_colon) second_colon(begin, word);
     return;
   }
+  if (parentheses > 0 && peek() == ',')
+    mistake(
+        line_, start,
+        "to YAML this value ends at the comma in its parentheses; put a formula in quotes, and the numbers of a list "
+        "in brackets, as [0, 0, 0]",
+        true);
+}
+
+void LayoutText::second_colon(std::size_t begin, std::size_t word) {
+  const int column_of_word = static_cast<int>(word - line_start_);
+  if (word == begin)
+    return mistake(line_, column_of_word, "a { is missing here: a key begins where the value of another is expected");
+  const std::size_t before = text_.find_last_not_of(' ', word - 1);
+  const bool semicolon = before != std::string::npos && text_[before] == ';';
+  mistake(line_, column_of_word,
+          semicolon ? "a comma separates the entries of a map, not a semicolon; write a comma before this"
+                    : "a comma is missing before this");
 }
 
 }  // namespace perinox::deck

@@ -62,6 +62,7 @@ class LayoutText {
   bool pass_flow_token(std::vector<Open>& open, int least_column);
   bool close_flow(std::vector<Open>& open);
   void pass_flow_word(Open& inner);
+  void second_colon(std::size_t begin, std::size_t word);
 
   const std::string& text_;
   std::size_t at_ = 0, line_start_ = 0;

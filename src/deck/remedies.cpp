@@ -19,7 +19,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 std::vector<std::string> words_between_blanks(const std::string& text) {
   std::vector<std::string> words(1);
   for (const char c : text) {
-    if (c != ' ' && c != '\t')
+    if (c != ' ' && c != '\t' && c != ';')
       words.back() += c;
     else if (!words.back().empty())
       words.emplace_back();
@@ -53,13 +53,15 @@ std::string as_value_of(const Node& scalar, const Key& key) {
 
 /// `box` or 3.015 for a map: as {box: ...}, {ratio: 3.015}.
 std::string map_of_scalar(const Node& scalar, const Key& wanted, const Schema& schema) {
+  if (&wanted == &schema.root()) return "";
   std::vector<std::string> written;
   for (const Key& use : wanted.keys) {
     const Key& key = schema.structure(use);
     if (scalar.text == use.name) {
       std::vector<std::string> inner;
       for (const Key& one : key.keys) inner.push_back(one.name + ": ...");
-      return fmt::format("; write {{{}: {}}}", use.name, inner.empty() ? "..." : "{" + fmt::format("{}", fmt::join(inner, ", ")) + "}");
+      return fmt::format("; write {{{}: {}}}", use.name,
+                         inner.empty() ? "..." : "{" + fmt::format("{}", fmt::join(inner, ", ")) + "}");
     }
     const std::string value = as_value_of(scalar, key);
     if (!value.empty() && written.size() < 3) written.push_back(fmt::format("{{{}: {}}}", use.name, value));
@@ -69,8 +71,14 @@ std::string map_of_scalar(const Node& scalar, const Key& wanted, const Schema& s
   return written.empty() ? "" : "; write " + listing(written);
 }
 
+std::string written_list(const Node& list, std::size_t begin, std::size_t end) {
+  std::vector<std::string> texts;
+  for (std::size_t k = begin; k < end; ++k) texts.push_back(list.items[k].text);
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
 /// [0, 0, 1] for a map of components: as {x: 0, y: 0, z: 1}.
-std::string map_of_list(const Node& list, const Key& wanted) {
+std::string map_of_list(const Node& list, const Key& wanted, const Schema& schema) {
   if (wanted.type == Type::named) return "; take the hyphens away and write each entry under its name: NAME: {...}";
   const bool components = wanted.keys.size() >= 3 && wanted.keys[0].name == "x" && wanted.keys[2].name == "z";
   const bool scalars = std::all_of(list.items.begin(), list.items.end(),
@@ -84,6 +92,14 @@ std::string map_of_list(const Node& list, const Key& wanted) {
     }
     return fmt::format("; write {{{}}}", fmt::join(written, ", "));
   }
+  const std::size_t half = list.items.size() / 2;
+  if (scalars && wanted.keys.size() == 2 && wanted.keys[0].name == "min" && 2 * half == list.items.size() &&
+      (half == 2 || half == 3))
+    return fmt::format("; write {{min: {}, max: {}}}", written_list(list, 0, half), written_list(list, half, 2 * half));
+  for (const Key& key : wanted.keys)
+    if (scalars && key.type == Type::list && !list.items.empty() && !as_value_of(list.items[0], key.element[0]).empty())
+      return fmt::format("; write {{{}: {}}}", key.name, written_list(list, 0, list.items.size()));
+  if (scalars && list.items.size() == 1) return map_of_scalar(list.items[0], wanted, schema);
   const bool of_one_map = list.items.size() == 1 && list.items[0].kind == Node::Kind::map;
   return of_one_map ? "; there is one only: take the hyphen or the brackets away" : "";
 }
@@ -92,8 +108,10 @@ std::string list_of(const Node& found, const Key& wanted, const Schema& schema) 
   if (wanted.type == Type::point && found.kind == Node::Kind::map) return "; write the coordinates as [0, 0, 0]";
   if (wanted.type == Type::point) {
     const std::vector<std::string> numbers = words_between_blanks(found.text);
-    const bool all = std::all_of(numbers.begin(), numbers.end(), [](const std::string& one) { return parse_number(one); });
-    return all && (numbers.size() == 2 || numbers.size() == 3) ? fmt::format("; write [{}]", fmt::join(numbers, ", ")) : "";
+    const bool all =
+        std::all_of(numbers.begin(), numbers.end(), [](const std::string& one) { return parse_number(one); });
+    return all && (numbers.size() == 2 || numbers.size() == 3) ? fmt::format("; write [{}]", fmt::join(numbers, ", "))
+                                                               : "";
   }
   const Key& element = schema.structure(wanted.element.at(0));
   const bool of_maps = element.type == Type::map || element.type == Type::choice;
@@ -135,7 +153,8 @@ std::string number_before(const std::string& text, std::string& rest) {
     const std::size_t letter = text.find_first_not_of(" \t", end);
     if (letter == std::string::npos) return "";
     rest = text.substr(letter);
-    const bool unit = std::isalpha(static_cast<unsigned char>(rest[0])) || rest[0] == '%' || rest[0] == '\xC2';
+    const bool unit = std::isalpha(static_cast<unsigned char>(rest[0])) || rest[0] == '%' || rest[0] == '\xC2' ||
+                      rest.rfind("//", 0) == 0;
     return unit ? text.substr(0, end) : "";
   }
   return "";
@@ -146,9 +165,11 @@ std::string number_before(const std::string& text, std::string& rest) {
 std::string right_form(const Node& found, const Key& wanted, const Schema& schema) {
   if (wanted.type == Type::list || wanted.type == Type::point) return list_of(found, wanted, schema);
   if (wanted.type == Type::map || wanted.type == Type::choice || wanted.type == Type::named) {
-    if (found.kind == Node::Kind::list) return map_of_list(found, wanted);
+    if (found.kind == Node::Kind::list) return map_of_list(found, wanted, schema);
     return wanted.type == Type::named ? "" : map_of_scalar(found, wanted, schema);
   }
+  const bool name = wanted.type == Type::text || wanted.type == Type::word;
+  if (name && found.kind == Node::Kind::list && found.items.size() > 1) return "; only one is taken here";
   if (found.kind != Node::Kind::list || found.items.size() != 1 || found.items[0].kind != Node::Kind::scalar) return "";
   const std::string value = as_value_of(found.items[0], wanted);
   return value.empty() ? "" : "; write " + value + " without brackets or hyphen";
@@ -164,19 +185,24 @@ std::string right_number(const Node& found) {
     if (c == 'd' || c == 'D') c = 'e';
   }
   const bool reads = decimal != text && parse_number(decimal);
-  if (!digits.empty() && comma && reads) return fmt::format("; write {}, or {} if the comma is a decimal one", digits, decimal);
+  if (!digits.empty() && comma && reads)
+    return fmt::format("; write {}, or {} if the comma is a decimal one", digits, decimal);
   if (!digits.empty()) return "; write " + digits;
   if (reads) return "; write " + decimal;
   std::string rest;
   const std::string number = number_before(text, rest);
+  if (!number.empty() && rest.rfind("//", 0) == 0) return "; write " + number + ", and # before a comment";
   if (!number.empty() && rest == "%") return "; write " + format_number(*parse_number(number + "e-2"));
   if (!number.empty())
-    return fmt::format("; write {}: a number has no unit here, all are in the one set of units that the deck is in", number);
-  if (const auto value = constant_value(text)) return "; formulas are read in loads and sets only, so write " + format_number(*value);
+    return fmt::format("; write {}: a number has no unit here, all are in the one set of units that the deck is in",
+                       number);
+  if (const auto value = constant_value(text))
+    return "; formulas are read in loads and sets only, so write " + format_number(*value);
   return "";
 }
 
-std::string right_key(const Node& map, const Entry& entry, const std::vector<std::string>& known, const Schema& schema) {
+std::string right_key(const Node& map, const Entry& entry, const std::vector<std::string>& known,
+                      const Schema& schema) {
   const auto is_known = [&](const std::string& word) { return std::count(known.begin(), known.end(), word) > 0; };
   const std::size_t end = std::min(entry.key.find_first_of(": =\t"), entry.key.size());
   const std::string word = entry.key.substr(0, end);
@@ -193,19 +219,25 @@ std::string right_key(const Node& map, const Entry& entry, const std::vector<std
   }
   if (before != nullptr && before->value.kind == Node::Kind::null && is_known(before->key))
     return fmt::format("; if it belongs into {} above it, indent it further", before->key);
+  if (before != nullptr && entry.value.kind == Node::Kind::null && before->value.kind == Node::Kind::scalar &&
+      is_known(before->key))
+    return fmt::format("; the entries of a list stand in brackets, as in {}: [{}, {}]", before->key, before->value.text,
+                       entry.key);
   const std::string own_word = own_word_for(entry.key, known);
   if (!own_word.empty()) return "; did you mean " + own_word + "?";
   const std::string near = did_you_mean(entry.key, known);
   if (!near.empty()) return near;
+  if (schema.models().empty()) return "; its keys are " + listing(known, "and");  // of a file that is no deck
   const std::string advice = advice_on(entry.key);
   if (!advice.empty()) return "; " + advice;
   std::vector<std::string> places;
   for (const DescribedKey& described : every_key(schema)) {
     const std::string& path = described.path_without_model;
-    if (described.key->name != entry.key || path == entry.key) continue;
+    if (path == entry.key) return "; it is a key of the deck itself, so let it begin in the first column";
+    if (described.key->name != entry.key) continue;
     if (std::count(places.begin(), places.end(), path) == 0) places.push_back(path);
   }
-  if (!places.empty() && places.size() <= 3) return "; it belongs elsewhere, as " + listing(places);
+  if (places.size() == 1) return "; it belongs elsewhere, as " + places[0];
   return "; its keys are " + listing(known, "and");
 }
 

@@ -33,7 +33,9 @@ bool ends_with(const std::string& path, const std::string& last) {
 }
 
 std::string overview(const Schema& schema) {
-  std::string out = "The deck's keys (perinox help KEY tells more of one, as does help FIELD of an output field):\n";
+  std::string out =
+      "The deck's keys. perinox help KEY tells more of one, help FIELD of an output field, help COMMAND of run, check, "
+      "verify, study and help.\n";
   for (const Key& key : schema.root().keys)
     out += fmt::format("  {:<17}{} ({})\n", key.name, key.sentence, default_text({"", "", &key}));
   return out;
@@ -76,7 +78,7 @@ std::string Schema::help(const std::string& path) const {
     for (const DescribedKey& d : all) candidates.push_back(d.path);
     const std::string hint = did_you_mean(path, candidates);
     refuse({}, path + " is neither a key of a deck nor an output field" +
-                   (hint.empty() ? "; perinox help lists the keys" : hint));
+                   (hint.empty() ? "; perinox help lists the keys, perinox --help the commands" : hint));
   }
   std::vector<std::string> also;
   for (const DescribedKey& d : all) {

@@ -66,6 +66,7 @@ struct BodyPart {
   std::string material;
   /// Cells that the shape's surface cuts count with the part of them that is inside, not whole or not at all.
   bool cut_cells = false;
+  Location spacing_location{};
 };
 
 // --- bonds --------------------------------------------------------------------------------------------------------
