@@ -9,8 +9,10 @@
 namespace perinox::body {
 
 namespace {
-/// Lengths that are the same but for their rounding fit.
+/// Lengths of the deck that are the same but for their rounding fit.
 constexpr double slack = 1e-9;
+/// A body of one particle may be somewhat smaller than its cell.
+constexpr double most_over_body = 1.5;
 
 double longest_extent(const deck::Shape& shape, int dimension) {
   const Bounds box = bounds(shape);
@@ -24,7 +26,7 @@ void refuse_unfit_lengths(const deck::Deck& deck, double reach) {
   for (const deck::BodyPart& part : deck.body) {
     if (std::holds_alternative<deck::CloudFile>(part.shape.form) || !(part.spacing > 0)) continue;
     const double longest = longest_extent(part.shape, deck::unknowns(deck.dimension));
-    if (longest > 0 && part.spacing > longest * (1 + slack))
+    if (longest > 0 && part.spacing > most_over_body * longest)
       deck::refuse(part.spacing_location,
                    fmt::format("the spacing {:g} is larger than the whole body {}, whose longest side is {:g}; make it "
                                "a tenth of that or less, or check that both are in the same unit",

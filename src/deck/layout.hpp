@@ -1,7 +1,7 @@
 #pragma once
 /// Where the layout of a YAML text is wrong. A YAML parser notices a slip of indentation, a missing colon or an open
-/// bracket only where it can go on no longer, which may be lines later; this finds the slip itself. It reads the text by
-/// itself, once, and is asked only after the text has been refused: it never refuses a text that a parser takes.
+/// bracket only where it can go on no longer, which may be lines later; this finds the slip itself. It reads the text
+/// by itself, once, and is asked only after the text has been refused: it never refuses a text that a parser takes.
 #include <cstddef>
 #include <optional>
 #include <string>
