@@ -38,9 +38,10 @@ TEST(Lengths, AHorizonShorterThanTheSpacingIsRefusedAtTheHorizon) {
 /// One particle in its own cell, far from the origin where the cell's length has lost digits; a thin layer; a horizon
 /// of one spacing.
 TEST(Lengths, OthersFit) {
-  EXPECT_EQ(refusal_of(placed_deck({{500000.5, 4600000.5, 0}, {500000.6, 4600000.6, 0.1}}, 0.1), 0.3), "");
-  EXPECT_EQ(refusal_of(placed_deck({{0, 0, 0}, {5, 5, 0.01}}, 1), 3), "");
-  EXPECT_EQ(refusal_of(placed_deck({{0, 0, 0}, {3, 3, 4}}, 0.1), 0.1), "");
+  const std::string none = "nothing was refused";
+  EXPECT_EQ(refusal_of(placed_deck({{500000.5, 4600000.5, 0}, {500000.6, 4600000.6, 0.1}}, 0.1), 0.3), none);
+  EXPECT_EQ(refusal_of(placed_deck({{0, 0, 0}, {5, 5, 0.01}}, 1), 3), none);
+  EXPECT_EQ(refusal_of(placed_deck({{0, 0, 0}, {3, 3, 4}}, 0.1), 0.1), none);
 }
 
 }  // namespace
