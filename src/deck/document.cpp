@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string_view>
 
+#include "columns.hpp"
 #include "layout.hpp"
 
 namespace perinox::deck {
@@ -20,7 +22,7 @@ constexpr std::size_t most_from_aliases = 10'000;
 class TreeBuilder {
  public:
   TreeBuilder(const std::string& file, const std::string& yaml)
-      : file_(file), yaml_(yaml), most_nodes_(yaml.size() + most_from_aliases) {}
+      : file_(file), yaml_(yaml), columns_(yaml), most_nodes_(yaml.size() + most_from_aliases) {}
 
   Node build(const YAML::Node& yaml, const Location& around, int depth) {
     Node node;
@@ -38,7 +40,7 @@ class TreeBuilder {
       node.kind = Node::Kind::scalar;
       node.text = yaml.Scalar();
       node.quoted = yaml.Tag() == "!";
-      if (!node.quoted) node.goes_on = place_in_next_line(node);
+      if (!node.quoted) node.goes_on = place_in_next_line(node, yaml.Mark().column);
     } else if (yaml.IsSequence()) {
       node.kind = Node::Kind::list;
       for (const auto& item : yaml) node.items.push_back(build(item, node.location, depth + 1));
@@ -62,32 +64,32 @@ class TreeBuilder {
   Location place(const YAML::Node& yaml, const Location& around) const {
     const YAML::Mark mark = yaml.Mark();
     if (mark.line < 0 || yaml.IsNull()) return around;
-    return {file_, mark.line + 1, mark.column + 1};
+    return {file_, mark.line + 1, columns_.of(mark.line + 1, mark.column)};
   }
 
   /// Where a scalar without quotes goes on in a later line; line 0 if it ends on its own.
-  Location place_in_next_line(const Node& scalar) {
+  Location place_in_next_line(const Node& scalar, int bytes) const {
     if (scalar.text.find(' ') == std::string::npos || scalar.location.line <= 0) return {};
-    if (line_starts_.empty()) {
-      line_starts_.push_back(0);
-      for (std::size_t k = 0; k < yaml_.size(); ++k)
-        if (yaml_[k] == '\n') line_starts_.push_back(k + 1);
-    }
+    const std::vector<std::size_t>& line_starts = columns_.line_starts();
     const auto line = static_cast<std::size_t>(scalar.location.line);
-    if (line >= line_starts_.size()) return {};
-    const std::size_t begin = line_starts_[line - 1], found = yaml_.find(scalar.text, begin);
-    if (found != std::string::npos && found < line_starts_[line]) return {};
-    for (std::size_t later = line; later < line_starts_.size(); ++later) {
-      const std::size_t first = yaml_.find_first_not_of(" \t\r", line_starts_[later]);
+    if (line >= line_starts.size()) return {};
+    // Its mark may stand at an anchor before it.
+    constexpr std::size_t longest_anchor = 200;
+    const std::size_t begin =
+        std::min(line_starts[line - 1] + static_cast<std::size_t>(std::max(bytes, 0)), yaml_.size());
+    const std::size_t end = std::min(line_starts[line], begin + scalar.text.size() + longest_anchor);
+    if (std::string_view(yaml_).substr(begin, end - begin).find(scalar.text) != std::string_view::npos) return {};
+    for (std::size_t later = line; later < line_starts.size(); ++later) {
+      const std::size_t first = yaml_.find_first_not_of(" \t\r", line_starts[later]);
       if (first != std::string::npos && yaml_[first] != '\n')
-        return {file_, static_cast<int>(later) + 1, static_cast<int>(first - line_starts_[later]) + 1};
+        return {file_, static_cast<int>(later) + 1, static_cast<int>(first - line_starts[later]) + 1};
     }
     return {};
   }
 
   std::string file_;
   const std::string& yaml_;
-  std::vector<std::size_t> line_starts_;  ///< empty until they are needed
+  const Columns columns_;
   std::size_t most_nodes_;
   std::size_t nodes_ = 0;
 };
@@ -123,7 +125,8 @@ void refuse_second_document(const std::string& yaml, const std::string& file) {
   DocumentStarts starts;
   if (!parser.HandleNextDocument(starts) || !parser.HandleNextDocument(starts)) return;
   const YAML::Mark mark = starts.latest;
-  const Location where{file, std::max(mark.line, 0) + 1, std::max(mark.column, 0) + 1};
+  const int line_of_mark = std::max(mark.line, 0) + 1;
+  const Location where{file, line_of_mark, Columns(yaml).of(line_of_mark, std::max(mark.column, 0))};
   std::size_t begin = 0;
   for (int line = 1; line < where.line && begin < yaml.size(); ++line) begin = yaml.find('\n', begin) + 1;
   if (yaml.compare(begin, 3, "---") == 0) {
@@ -218,8 +221,8 @@ Node parse_yaml(const std::string& yaml, const std::string& file) {
   } catch (const YAML::DeepRecursion& error) {
     refuse({file, error.mark.line + 1, error.mark.column + 1}, "lists and maps are nested far too deep here");
   } catch (const YAML::Exception& error) {
-    const bool known = error.mark.line >= 0;
-    refuse_layout(yaml, {file, known ? error.mark.line + 1 : 0, known ? error.mark.column + 1 : 0},
+    const int line = error.mark.line < 0 ? 0 : error.mark.line + 1;
+    refuse_layout(yaml, {file, line, line == 0 ? 0 : Columns(yaml).of(line, error.mark.column)},
                   syntax_sentence(error.msg));
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "columns.hpp"
 #include "layout_items.hpp"
 
 namespace perinox::deck {
@@ -160,8 +161,10 @@ class BlockStructure {
 std::optional<LayoutMistake> find_layout_mistake(const std::string& yaml) {
   if (yaml.empty()) return std::nullopt;
   const LayoutItems read = read_layout_items(yaml);
-  const std::optional<LayoutMistake> of_blocks = BlockStructure(read.items).first_mistake();
-  return of_blocks ? of_blocks : read.mistake;
+  std::optional<LayoutMistake> found = BlockStructure(read.items).first_mistake();
+  if (!found) found = read.mistake;
+  if (found) found->column = Columns(yaml).of(found->line, found->column - 1);
+  return found;
 }
 
 }  // namespace perinox::deck

@@ -184,6 +184,21 @@ TEST_P(LayoutSlip, IsNamedWithOtherLineEndsToo) {
 INSTANTIATE_TEST_SUITE_P(Deck, LayoutSlip, ::testing::ValuesIn(slips),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
+/// Columns count characters, as an editor does, not bytes.
+TEST(Layout, ColumnsBehindLettersOfAnyLanguage) {
+  const std::string named = changed(base_deck, "name: pull",
+                                    "name: Gr\xC3\xB6\xC3\x9F"
+                                    "e");
+  EXPECT_EQ(message_of(changed(named, "reaction", "reaktion")),
+            "deck.yaml:30:19: reaktion is not a key of a history entry; did you mean reaction?");
+  EXPECT_EQ(message_of(changed(named, "head, component", "head component")),
+            "deck.yaml:30:34: a comma is missing before this");
+  EXPECT_EQ(
+      message_of("\xEF\xBB\xBF" + changed(base_deck, "title: base", "title: \xC3\xA4: b")),
+      "deck.yaml:1:9: a second colon on this line; put each key on a line of its own, or quotes around a text with a "
+      "colon");
+}
+
 /// Every shipped deck and a few things that YAML allows: nothing is found in them.
 TEST(Layout, OfRightTextsIsRight) {
   int decks = 0;
