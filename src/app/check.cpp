@@ -3,6 +3,7 @@
 #include "perinox/app/commands.hpp"
 #include "perinox/app/scene_report.hpp"
 #include "perinox/deck/read.hpp"
+#include "perinox/deck/remarks.hpp"
 #include "perinox/solve/bond_limits.hpp"
 #include "perinox/solve/boundary.hpp"
 #include "perinox/solve/time_stepper.hpp"
@@ -71,7 +72,10 @@ std::string motion_in_words(Problem& problem, const Communicator& communicator) 
 int check(const Options& options, const Communicator& communicator) {
   Problem problem = prepare(options, communicator);
   const solve::Boundary boundary(problem.deck, problem.scene);
-  say_remarks(boundary, communicator);
+  say_remarks(problem, boundary, communicator);
+  if (communicator.is_root())
+    for (const std::string& remark : deck::remarks_on_fields(problem.deck, full_schema()))
+      fmt::print(stderr, "note: {}\n", remark);
   const std::string steps = load_steps_in_words(problem, communicator);
   const std::string in_time = motion_in_words(problem, communicator);
   std::string damage;

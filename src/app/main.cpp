@@ -22,6 +22,56 @@ void say(bool is_root, const char* prefix, const std::string& sentence) {
   if (is_root) fmt::print(stderr, "{}{}\n", prefix, sentence);
 }
 
+const std::vector<std::string> commands{"run", "check", "verify", "study", "help"};
+
+/// What stands below a command's options: lines that can be typed in the program's folder, and what they do.
+void give_examples(CLI::App& cli) {
+  cli.footer(
+      "perinox COMMAND --help tells more of one command, perinox help KEY of a deck's key.\n"
+      "Example: perinox run inputs/tension_block.yaml");
+  cli.get_subcommand("run")->footer(
+      "Examples:\n"
+      "  perinox run inputs/tension_block.yaml\n"
+      "      results in results/tension_block\n"
+      "  mpirun -np 2 perinox run inputs/tension_block.yaml --output results/on_two --set steps.count=20\n"
+      "      on two ranks, to another folder, with one value of the deck replaced\n"
+      "  perinox run inputs/tension_block.yaml --restart results/tension_block/checkpoint.h5\n"
+      "      goes on from where a run stopped\n"
+      "Exit status: 0 done; 1 the run stopped short, what it has is on disk; 2 the input is wrong");
+  cli.get_subcommand("check")->footer(
+      "Examples:\n"
+      "  perinox check inputs/tension_block.yaml\n"
+      "  perinox check inputs/tension_block.yaml --set body.0.spacing=0.5\n"
+      "      particles, memory and cost of a finer lattice\n"
+      "  perinox check inputs/tension_block.yaml --quiet && echo valid\n"
+      "Exit status: 0 the deck is valid; 2 it is not");
+  cli.get_subcommand("verify")->footer(
+      "Examples:\n"
+      "  perinox verify inputs/shear_cube.yaml\n"
+      "  perinox verify inputs/shear_cube.yaml --set solver.form=printed\n"
+      "      with the tangent as the literature prints it, which does not hold\n"
+      "Exit status: 0 the tangent holds; 1 it does not; 2 the input is wrong");
+  cli.get_subcommand("study")->footer(
+      "Examples:\n"
+      "  perinox study studies/newton.yaml --plan\n"
+      "      which runs it would make\n"
+      "  perinox study studies/newton.yaml\n"
+      "      results in results/studies/newton; started again it goes on where it was\n"
+      "  perinox help --study\n"
+      "      the keys of a study\n"
+      "Exit status: 0 done; 1 a run stopped short or could not be measured; 2 the input is wrong");
+  cli.get_subcommand("help")->footer(
+      "Examples:\n"
+      "  perinox help\n"
+      "      the deck's keys\n"
+      "  perinox help boundary\n"
+      "  perinox help solver.newton.tolerance\n"
+      "  perinox help von_mises_stress\n"
+      "      an output field\n"
+      "  perinox help run\n"
+      "      a command");
+}
+
 /// `ranks` is missing where MPI is not up: for the command study, whose runs are MPI programs of their own.
 int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool is_root) {
   using namespace perinox;
@@ -33,13 +83,12 @@ int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool
   CLI::App cli{"Implicit quasi-static nonlinear peridynamics on Trilinos", "perinox"};
   cli.set_version_flag("--version", "perinox " PERINOX_VERSION);
   cli.require_subcommand(1);
-  cli.footer("Example: mpirun -np 2 perinox run inputs/tension_block.yaml --output results/tension_block");
   auto* run = cli.add_subcommand("run", "solve a deck's load path; under mpirun on N ranks");
   auto* check =
       cli.add_subcommand("check", "validate a deck; print the scene, the resolved deck and what it costs; run nothing");
   auto* verify =
       cli.add_subcommand("verify", "tangent against central differences and symmetry at the scene's own states");
-  auto* help = cli.add_subcommand("help", "documentation of a deck key, from the schema");
+  auto* help = cli.add_subcommand("help", "documentation of a deck's key, an output field or a command");
   auto* study =
       cli.add_subcommand("study", "run a deck over swept parameters; errors, costs, plots and a page of them");
   for (auto* command : {run, check, verify}) {
@@ -57,12 +106,12 @@ int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool
   study->add_flag("--again", request.again, "repeat runs that are finished");
   study->add_flag("--plan", request.plan, "check the study and its decks, list the runs, run nothing");
   study->add_flag("--quiet", request.quiet, "print nothing but errors");
-  help->add_option("KEY", key, "a key's dotted path or its last name");
+  help->add_option("KEY", key, "a key's dotted path or its last name, an output field, or a command");
   help->add_flag("--page", page, "print the whole reference page, docs/deck.md");
   help->add_flag("--json-schema", json_schema, "print the deck's JSON Schema for editors");
   help->add_flag("--study", study_keys, "print the table of a study's keys");
+  give_examples(cli);
 
-  const std::vector<std::string> commands{"run", "check", "verify", "study", "help"};
   if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
     const std::string hint = deck::nearest(argv[1], commands);
     say(is_root, "perinox: ",
@@ -84,6 +133,10 @@ int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool
   if (check->parsed()) return app::check(options, *ranks);
   if (verify->parsed()) return app::verify(options, *ranks);
   if (study_keys) return app::study_keys(*ranks);
+  if (!page && !json_schema && std::find(commands.begin(), commands.end(), key) != commands.end()) {
+    if (is_root) fmt::print("{}", cli.get_subcommand(key)->help("perinox"));
+    return 0;
+  }
   return app::help(key, page, json_schema, *ranks);
 }
 

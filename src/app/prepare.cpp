@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "perinox/app/scene_report.hpp"
+#include "perinox/deck/remarks.hpp"
 
 namespace perinox::app {
 
@@ -12,9 +13,13 @@ Problem prepare(const Options& options, const Communicator& communicator) {
   return {std::move(deck), std::move(scene), std::move(report)};
 }
 
-void say_remarks(const solve::Boundary& boundary, const Communicator& communicator) {
+void say_remarks(const Problem& problem, const solve::Boundary& boundary, const Communicator& communicator) {
   if (!communicator.is_root()) return;
-  for (const std::string& remark : boundary.remarks()) fmt::print(stderr, "note: {}\n", remark);
+  std::vector<std::string> all = deck::remarks(problem.deck);
+  for (const auto& material : problem.scene.materials())
+    if (const std::string remark = material->remark(); !remark.empty()) all.push_back(remark);
+  all.insert(all.end(), boundary.remarks().begin(), boundary.remarks().end());
+  for (const std::string& remark : all) fmt::print(stderr, "note: {}\n", remark);
 }
 
 }  // namespace perinox::app

@@ -72,7 +72,7 @@ void run_into(Stepper& stepper, const Problem& problem, const Options& options, 
               const std::optional<Restart>& from, double begin) {
   const bool talk = communicator.is_root() && !options.quiet;
   if (talk) fmt::print("{}", problem.report.summary);
-  say_remarks(stepper.boundary(), communicator);
+  say_remarks(problem, stepper.boundary(), communicator);
   const std::string directory = directory_of(options, from);
   const bool goes_on = from && communicator.any(communicator.is_root() && same_directory(from->directory, directory));
   if (talk && from)

@@ -203,6 +203,7 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   const double matrix = bonds * (d == 3 ? 6.8 : 3.7) * d * d * 12;
   const bool lattice = scene.lattice() != nullptr;
   out += "fields and terms\n";
+  if (body.dimension == 2) out += "  thickness 1: forces, reactions and energies are per unit thickness\n";
   out += lattice ? fmt::format("  families: a stencil of {} offsets and their reverses, the same for every particle\n",
                                scene.lattice()->offsets().size())
                  : "  families: a list of pairs, each kept once\n";

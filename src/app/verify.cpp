@@ -27,7 +27,7 @@ int verify(const Options& options, const Communicator& communicator) {
                  "verify follows a quasi-static run; give --set dynamics=quasi-static, or another deck");
   solve::LoadStepper stepper(deck, scene);
   const bool talk = communicator.is_root() && !options.quiet;
-  say_remarks(stepper.boundary(), communicator);
+  say_remarks(problem, stepper.boundary(), communicator);
   const bool with_assembled = communicator.sum(scene.families().directed) <= assembled_bonds;
   if (talk) {
     fmt::print("{}", problem.report.summary);

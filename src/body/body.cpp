@@ -9,6 +9,7 @@
 #include "perinox/body/cloud.hpp"
 #include "perinox/body/ghosts.hpp"
 #include "perinox/body/lattice.hpp"
+#include "perinox/body/lengths.hpp"
 #include "perinox/body/named_sets.hpp"
 #include "perinox/body/neighbor_count.hpp"
 #include "perinox/body/neighbor_search.hpp"
@@ -194,6 +195,7 @@ Body build(const deck::Deck& deck, const Communicator& communicator, double reac
     body.spacing = spacings.front();
   const std::vector<int> materials = material_indices(deck);
 
+  refuse_unfit_lengths(deck, reach);
   const double memory = machine_memory(communicator);
   refuse_too_large(deck, reach, spacing, memory);
   refuse_overlaps(deck);
@@ -210,7 +212,7 @@ Body build(const deck::Deck& deck, const Communicator& communicator, double reac
   append(body, share.ghosts, materials);
   refuse_far_from_origin(deck, body);
   body.halo = Halo(communicator, body.id, body.owned);
-  body.sets = find_sets(deck, body, spacing);
+  body.sets = find_sets(deck, body);
   if (report) *report = report_of(share, communicator);
   return body;
 }

@@ -124,8 +124,10 @@ void CsvTable::read_header(const char* begin, const char* end, const CsvColumns&
     const std::string name(first, last);
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       const std::string near = deck::nearest(name, known);
-      refuse_at(first, fmt::format("{} is not a column of {}{}; the columns are {}", shown(first, last), columns.kind,
-                                   near.empty() ? "" : ", did you mean " + near + "?", fmt::join(known, ", ")));
+      const bool other_separator = near.empty() && name.find_first_of("; \t") != std::string::npos;
+      refuse_at(first, fmt::format("{} is not a column of {}{}; the columns are {}{}", shown(first, last), columns.kind,
+                                   near.empty() ? "" : ", did you mean " + near + "?", fmt::join(known, ", "),
+                                   other_separator ? ", separated by commas" : ""));
     }
     if (std::find(names_.begin(), names_.end(), name) != names_.end()) {
       refuse_at(first, fmt::format("the column {} is named twice; keep one", name));

@@ -27,23 +27,25 @@ struct Find {
   const deck::Deck& deck;
   const Body& body;
   const deck::Set& set;
-  double slack;  ///< length: at the bounds of conditions and boxes
 
+  /// Length, at the bounds of conditions and boxes: 1e-9 of the particle's spacing, and the rounding of its
+  /// coordinates.
+  double slack_of(LocalIndex i) const { return 1e-9 * body.spacing_of(i) + 2 * body.rounding(i); }
   template <class Condition>
   Members where(Condition&& holds) const {
     Members members;
     for (LocalIndex i = 0; i < body.owned; ++i) {
-      if (holds(body.position3(i))) members.push_back(i);
+      if (holds(body.position3(i), slack_of(i))) members.push_back(i);
     }
     return members;
   }
 
   Members operator()(const deck::SetWhere& form) const {
     const deck::Condition condition(form.condition);
-    return where([&](const deck::Point& x) { return condition.holds(x, slack); });
+    return where([&](const deck::Point& x, double slack) { return condition.holds(x, slack); });
   }
   Members operator()(const deck::SetBox& box) const {
-    return where([&](const deck::Point& x) {
+    return where([&](const deck::Point& x, double slack) {
       for (int axis = 0; axis < body.dimension; ++axis) {
         if (x[axis] < box.min[axis] - slack || x[axis] > box.max[axis] + slack) return false;
       }
@@ -75,18 +77,25 @@ struct Find {
   }
 };
 
-/// 1e-9 of the spacing, and the rounding of the largest coordinate. Collective.
-double slack_of(const Body& body, double spacing) {
-  double largest = 0;
-  for (const double coordinate : body.reference) largest = std::max(largest, std::abs(coordinate));
-  return 1e-9 * spacing + 8 * std::numeric_limits<double>::epsilon() * body.communicator.max(largest);
+/// "from (0.5, 0.5) to (3.5, 1.5)": the box around the particles of all ranks. Collective.
+std::string place_of_particles(const Body& body) {
+  std::vector<std::string> lows, highs;
+  for (int axis = 0; axis < body.dimension; ++axis) {
+    double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
+    for (LocalIndex i = 0; i < body.owned; ++i) {
+      low = std::min(low, body.position(i)[axis]);
+      high = std::max(high, body.position(i)[axis]);
+    }
+    lows.push_back(fmt::format("{:g}", body.communicator.min(low)));
+    highs.push_back(fmt::format("{:g}", body.communicator.max(high)));
+  }
+  return fmt::format("from ({}) to ({})", fmt::join(lows, ", "), fmt::join(highs, ", "));
 }
 
 }  // namespace
 
-std::map<std::string, Members> find_sets(const deck::Deck& deck, const Body& body, double spacing) {
+std::map<std::string, Members> find_sets(const deck::Deck& deck, const Body& body) {
   std::map<std::string, Members> sets;
-  const double slack = slack_of(body, spacing);
   for (LocalIndex i = 0; i < body.owned; ++i) sets["all"].push_back(i);
   sets["all"];  // an empty rank has the set too
   for (std::size_t part = 0; part < deck.body.size(); ++part) {
@@ -98,11 +107,11 @@ std::map<std::string, Members> find_sets(const deck::Deck& deck, const Body& bod
                    fmt::format("the name {} is taken by another set or by a body; choose another", set.name));
     }
     Members members;
-    together(body.communicator, [&] { members = std::visit(Find{deck, body, set, slack}, set.form); });
+    together(body.communicator, [&] { members = std::visit(Find{deck, body, set}, set.form); });
     if (body.communicator.sum(static_cast<long long>(members.size())) == 0) {
       deck::refuse(set.location, fmt::format("the set {} is empty: none of the {} particles is in it; widen its "
-                                             "condition or take the set out",
-                                             set.name, body.total));
+                                             "condition or take the set out (the particles lie {})",
+                                             set.name, body.total, place_of_particles(body)));
     }
     sets[set.name] = std::move(members);
   }

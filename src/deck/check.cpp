@@ -7,7 +7,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "foreign_words.hpp"
 #include "perinox/deck/scalar.hpp"
+#include "remedies.hpp"
 
 namespace perinox::deck {
 namespace {
@@ -20,7 +22,10 @@ std::vector<std::string> names_of(const std::vector<Key>& keys) {
 
 class Checker {
  public:
-  Checker(const Schema& schema, std::string folder) : schema_(schema), folder_(std::move(folder)) {}
+  Checker(const Schema& schema, std::string folder, const Node& root) : schema_(schema), folder_(std::move(folder)) {
+    const Node* dimension = root.find("dimension");
+    in_plane_ = dimension != nullptr && dimension->text != "3";
+  }
 
   /// `name` is what messages call the value; `path` its dotted path.
   Value check(const Node& node, const Key& use, const std::string& name, const std::string& path) {
@@ -33,7 +38,8 @@ class Checker {
     const bool wants_map = key.type == Type::map || key.type == Type::choice || key.type == Type::named;
     const Node::Kind wanted = wants_list ? Node::Kind::list : wants_map ? Node::Kind::map : Node::Kind::scalar;
     if (node.kind != wanted) {
-      refuse(node.location, fmt::format("{} must be {}, but {} was found", name, expected(key), node.description()));
+      refuse(node.location, fmt::format("{} must be {}, but {} was found{}", name, expected(key), node.description(),
+                                        right_form(node, key, schema_)));
     }
     switch (key.type) {
       case Type::list:
@@ -46,11 +52,24 @@ class Checker {
       case Type::choice:
         return check_map(node, key, path);
       default:
+        if (key.names_field) refuse_unknown_field(node);
         return check_scalar(node, key, name, folder_);
     }
   }
 
  private:
+  /// A field that only other scenes have is no remedy.
+  void refuse_unknown_field(const Node& node) const {
+    if (schema_.field(node.text) != nullptr) return;
+    std::vector<std::string> names;
+    for (const FieldDeclaration& field : schema_.fields())
+      if (!field.plane_only || in_plane_) names.push_back(field.name);
+    const std::string own_word = own_word_for(node.text, names);
+    const std::string hint = own_word.empty() ? did_you_mean(node.text, names) : "; did you mean " + own_word + "?";
+    refuse(node.location, fmt::format("there is no output field '{}'{}", node.text,
+                                      hint.empty() ? "; there is " + listing(names, "and") : hint));
+  }
+
   Value check_list(const Node& node, const Key& key, const std::string& name, const std::string& path) {
     if (node.items.size() < key.minimum_items) {
       refuse(node.location, fmt::format("{} needs at least {} {}, but has {}", name, key.minimum_items,
@@ -69,8 +88,9 @@ class Checker {
 
   Value check_point(const Node& node, const Key& key, const std::string& name) {
     if (node.items.size() != 2 && node.items.size() != 3) {
-      refuse(node.location,
-             fmt::format("{} must be a list of 3 numbers, or 2 in 2-D, but has {}", name, node.items.size()));
+      const bool one = node.items.size() == 1 && node.items[0].kind == Node::Kind::scalar;
+      refuse(node.location, fmt::format("{} must be a list of 3 numbers, or 2 in 2-D, but has {}{}", name,
+                                        node.items.size(), one ? right_form(node.items[0], key, schema_) : ""));
     }
     Key coordinate;
     coordinate.type = Type::number;
@@ -151,19 +171,15 @@ class Checker {
     const std::vector<std::string> known = names_of(keys);
     for (const Entry& entry : node.entries) {
       if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-      std::string hint;
       std::vector<std::string> others;
       for (const ModelDeclaration& other : schema_.models()) {
         const std::vector<std::string> names = names_of(other.keys);
         if (!model.empty() && std::find(names.begin(), names.end(), entry.key) != names.end())
           others.push_back(other.name);
       }
-      if (!others.empty()) {
-        hint = fmt::format(" of the model {}; it is one of {}", model, listing(others, "and"));
-      } else {
-        hint = did_you_mean(entry.key, known);
-        if (hint.empty()) hint = "; its keys are " + listing(known, "and");
-      }
+      const std::string hint = others.empty()
+                                   ? right_key(node, entry, known, schema_)
+                                   : fmt::format(" of the model {}; it is one of {}", model, listing(others, "and"));
       refuse(entry.location, fmt::format("{} is not a key of {}{}", entry.key, place, hint));
     }
   }
@@ -249,17 +265,18 @@ class Checker {
 
   const Schema& schema_;
   std::string folder_;
+  bool in_plane_ = false;
 };
 
 }  // namespace
 
 Value check_against_schema(const Node& root, const Schema& schema, const std::string& folder) {
-  return Checker(schema, folder).check(root, schema.root(), "the deck", "");
+  return Checker(schema, folder, root).check(root, schema.root(), "the deck", "");
 }
 
 Value check_against_key(const Node& root, const Key& key, const std::string& name, const std::string& folder) {
   static const Schema without_models({});
-  return Checker(without_models, folder).check(root, key, name, "");
+  return Checker(without_models, folder, root).check(root, key, name, "");
 }
 
 std::string expected(const Key& key) {

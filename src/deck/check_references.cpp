@@ -4,6 +4,7 @@
 #include <map>
 
 #include "convert.hpp"
+#include "perinox/deck/history_columns.hpp"
 #include "perinox/deck/scalar.hpp"
 
 namespace perinox::deck {
@@ -43,12 +44,24 @@ void refuse_unknown_name(const Value& value, const std::vector<std::string>& kno
   refuse(value.location(), fmt::format("{} is not the name of {}{}", value.text(), of, hint));
 }
 
+/// history.csv would have two columns of one name.
+void refuse_names_of_columns(const Value& history) {
+  for (const Value& entry : history.items()) {
+    const Value& name = entry.at("name");
+    if (std::find(history_columns.begin(), history_columns.end(), name.text()) != history_columns.end())
+      refuse(name.location(), fmt::format("history.csv has a column {} of its own; give this entry another name, such "
+                                          "as {}_of_set",
+                                          name.text(), name.text()));
+  }
+}
+
 }  // namespace
 
 void check_references(const Deck& deck) {
   const Value& all = deck.resolved;
   refuse_repeated_names(all.at("body"), "a body");
   refuse_repeated_names(all.at("history"), "a history entry");
+  refuse_names_of_columns(all.at("history"));
 
   std::vector<std::string> bodies, materials, regions{"all"};
   for (const BodyPart& part : deck.body) bodies.push_back(part.name);

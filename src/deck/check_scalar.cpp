@@ -6,8 +6,10 @@
 #include <stdexcept>
 
 #include "check.hpp"
+#include "mesh_file.hpp"
 #include "perinox/deck/expression.hpp"
 #include "perinox/deck/scalar.hpp"
+#include "remedies.hpp"
 
 namespace perinox::deck {
 namespace {
@@ -36,16 +38,10 @@ std::string check_number(const Node& node, const Key& key, const std::string& na
   if (is_infinite_or_nan(node.text)) {
     refuse(node.location, fmt::format("{} must be a finite number, but '{}' was found", name, node.text));
   }
-  std::string fixed = node.text;
-  for (char& c : fixed) {
-    if (c == ',') c = '.';
-    if (c == 'd' || c == 'D') c = 'e';
-  }
-  const std::string hint = fixed != node.text && parse_number(fixed) ? "; write " + fixed : "";
   const bool digits = !node.text.empty() && node.text.find_first_not_of("0123456789.eE+-") == std::string::npos &&
                       node.text.find_first_of("0123456789") != std::string::npos;
   refuse(node.location, fmt::format("{} must be a number{}, but '{}' was found{}", name,
-                                    digits ? " that double precision can hold" : "", node.text, hint));
+                                    digits ? " that double precision can hold" : "", node.text, right_number(node)));
 }
 
 std::string check_integer(const Node& node, const Key& key, const std::string& name) {
@@ -58,13 +54,20 @@ std::string check_integer(const Node& node, const Key& key, const std::string& n
   const auto number = parse_number(node.text);
   const bool whole =
       number && *number > -1e15 && *number < 1e15 && static_cast<double>(static_cast<long long>(*number)) == *number;
-  const std::string hint = whole ? fmt::format("; write {}", static_cast<long long>(*number)) : "";
+  const std::string hint = whole ? fmt::format("; write {}", static_cast<long long>(*number)) : right_number(node);
   refuse(node.location, fmt::format("{} must be a whole number, but '{}' was found{}", name, node.text, hint));
 }
 
 std::string check_boolean(const Node& node, const std::string& name) {
   if (!node.quoted && (node.text == "true" || node.text == "false")) return node.text;
-  refuse(node.location, fmt::format("{} must be true or false, but '{}' was found", name, node.text));
+  std::string lower = node.text;
+  for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  const bool yes = lower == "true" || lower == "yes" || lower == "on" || lower == "1";
+  const bool no = lower == "false" || lower == "no" || lower == "off" || lower == "0";
+  refuse(node.location, fmt::format("{} must be true or false, but '{}' was found{}", name, node.text,
+                                    yes  ? "; write true"
+                                    : no ? "; write false"
+                                         : ""));
 }
 
 std::string check_word(const Node& node, const Key& key, const std::string& name) {
@@ -75,7 +78,7 @@ std::string check_word(const Node& node, const Key& key, const std::string& name
   refuse(node.location, fmt::format("{} cannot be '{}'{}", name, node.text, hint));
 }
 
-std::string check_path(const Node& node, const std::string& name, const std::string& folder) {
+std::string check_path(const Node& node, const Key& key, const std::string& name, const std::string& folder) {
   if (node.text.empty()) refuse(node.location, fmt::format("{} must be a file name, but it is empty", name));
   namespace fs = std::filesystem;
   std::error_code error;
@@ -95,6 +98,10 @@ std::string check_path(const Node& node, const std::string& name, const std::str
   if (!std::ifstream(path)) {
     refuse(node.location, fmt::format("the file {} ({}) cannot be opened; check its permissions", path.string(), name));
   }
+  const std::string mesh = mesh_format(path.string());
+  if (!mesh.empty())
+    refuse(node.location, fmt::format("the file {} ({}) is {}, and perinox reads no meshes; what is read here: {}",
+                                      node.text, name, mesh, key.sentence));
   return path.string();
 }
 
@@ -110,6 +117,13 @@ std::string check_expression(const Node& node, const std::string& name) {
 }  // namespace
 
 Value check_scalar(const Node& node, const Key& key, const std::string& name, const std::string& folder) {
+  const bool one_word = key.type != Type::text && key.type != Type::path && key.type != Type::expression;
+  if (one_word && node.goes_on.line > 0)
+    refuse(node.goes_on,
+           fmt::format("to YAML this line goes on with the value of {} in line {}, because it is indented "
+                       "further and has no colon with a blank behind it; write it as KEY: VALUE, "
+                       "indented as the other keys",
+                       name, node.location.line));
   std::string text;
   switch (key.type) {
     case Type::number:
@@ -125,7 +139,7 @@ Value check_scalar(const Node& node, const Key& key, const std::string& name, co
       text = check_word(node, key, name);
       break;
     case Type::path:
-      text = check_path(node, name, folder);
+      text = check_path(node, key, name, folder);
       break;
     case Type::expression:
       text = check_expression(node, name);

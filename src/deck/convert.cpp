@@ -30,6 +30,7 @@ BodyPart convert_body(const Value& value, Dimension dimension) {
   }
   if (value.has("spacing")) {
     part.spacing = value.at("spacing").number();
+    part.spacing_location = value.at("spacing").location();
   } else if (!std::holds_alternative<CloudFile>(part.shape.form)) {
     refuse(value.location(),
            fmt::format("the body {} needs the key spacing: only a point cloud can do without", part.name));

@@ -5,7 +5,10 @@
 namespace perinox::deck {
 
 /// The whole deck. The models' names become the words of `materials.<name>.model`.
-Key declare_deck(const std::vector<ModelDeclaration>& models);
+Key declare_deck(const std::vector<ModelDeclaration>& models, const std::vector<FieldDeclaration>& fields);
+
+/// The output fields of every scene, then those that the models add, each once.
+std::vector<FieldDeclaration> declare_fields(const std::vector<ModelDeclaration>& models);
 
 /// The definition `shape`, which contains itself.
 Key declare_shape();

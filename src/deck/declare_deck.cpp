@@ -1,6 +1,4 @@
 /// The deck's top level: every part in the order in which the reference page shows it.
-#include <algorithm>
-
 #include "declare.hpp"
 #include "words.hpp"
 
@@ -66,13 +64,15 @@ Key declare_steps() {
   return key;
 }
 
-Key declare_output(const std::vector<ModelDeclaration>& models) {
-  std::vector<std::string> names = words::field;
-  for (const ModelDeclaration& model : models)
-    for (const std::string& field : model.fields)
-      if (std::find(names.begin(), names.end(), field) == names.end()) names.push_back(field);
-  Key fields =
-      list_key("fields", "The fields written at each output step.", word_key("", names, "", "Name of a field."));
+Key declare_output(const std::vector<FieldDeclaration>& declared) {
+  std::vector<std::string> names;
+  for (const FieldDeclaration& field : declared) names.push_back(field.name);
+  Key field = word_key("", names, "", "Name of a field.");
+  field.names_field = true;
+  Key fields = list_key("fields",
+                        "The fields written at each output step; perinox help FIELD says what one is, and which scenes "
+                        "have it.",
+                        field);
   fields.unique = true;
   fields.fallback = "[displacement, force]";
   Key seconds = positive_key("checkpoint_seconds", "seconds",
@@ -110,7 +110,7 @@ Key declare_history() {
 
 }  // namespace
 
-Key declare_deck(const std::vector<ModelDeclaration>& models) {
+Key declare_deck(const std::vector<ModelDeclaration>& models, const std::vector<FieldDeclaration>& fields) {
   Key title = text_key("title", "Shown in the report and in messages; by default the deck's file name.");
   Key dimension = required(
       word_key("dimension", words::dimension, "", "3 for a solid, or a plane state with two unknowns a particle."));
@@ -163,7 +163,7 @@ Key declare_deck(const std::vector<ModelDeclaration>& models) {
                       declare_steps(),
                       declare_arc_length(),
                       declare_solver(),
-                      declare_output(models),
+                      declare_output(fields),
                       declare_history()});
   root.place = "a deck";
   root.required = true;

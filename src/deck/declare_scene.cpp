@@ -47,7 +47,9 @@ Key declare_shape() {
                          {corner_keys("box", "Box with faces along the axes."), cylinder, sphere, plate,
                           shape_list("union", "All of these shapes together.", 1),
                           shape_list("difference", "The first of these shapes without all the others.", 2),
-                          path_key("file", "Point cloud, a CSV file with the header x,y,z,volume.")});
+                          path_key("file",
+                                   "Point cloud, a CSV file with the header x,y,z,volume and a row for each particle; "
+                                   "a mesh gives one by the centres and volumes of its elements.")});
   shape.place = "a shape";
   return shape;
 }

@@ -120,7 +120,7 @@ std::string type_text(const Key& use, const Schema& schema) {
   return key.alternatives.empty() ? "map" : "map with " + alternatives_text(key);
 }
 
-std::string unit_text(const Key& key) { return key.unit == "-" ? "dimensionless" : key.unit; }
+std::string unit_text(const std::string& unit) { return unit == "-" ? "dimensionless" : unit; }
 
 std::string default_text(const DescribedKey& described) {
   const Key& key = *described.key;
@@ -140,7 +140,7 @@ std::string help_text(const DescribedKey& described, const Schema& schema) {
   const Key& key = *described.key;
   std::string out = fmt::format("{}\n  {}\n", described.path, key.sentence);
   out += fmt::format("  type: {}\n", type_text(key, schema));
-  if (!unit_text(key).empty()) out += fmt::format("  unit: {}\n", unit_text(key));
+  if (!key.unit.empty()) out += fmt::format("  unit: {}\n", unit_text(key.unit));
   const std::string fallback = default_text(described);
   out += key.fallback && fallback != "optional" ? fmt::format("  default: {}\n", fallback)
                                                 : fmt::format("  {}\n", fallback);
@@ -155,6 +155,12 @@ std::string help_text(const DescribedKey& described, const Schema& schema) {
     out += fmt::format("    {:<{}}  {} ({})\n", inner.name, width, inner.sentence,
                        default_text({"", "", &inner, is_alternative(*holder, inner)}));
   }
+  if (holder->names_field) {
+    out += "  fields:\n";
+    for (const FieldDeclaration& field : schema.fields()) width = std::max(width, field.name.size());
+    for (const FieldDeclaration& field : schema.fields())
+      out += fmt::format("    {:<{}}  {}\n", field.name, width, field.sentence);
+  }
   if (holder->picks_model) {
     for (const ModelDeclaration& model : schema.models()) {
       out += fmt::format("    with model {} also: {}\n", model.name, listing(names_of(model.keys), "and"));
@@ -166,6 +172,13 @@ std::string help_text(const DescribedKey& described, const Schema& schema) {
     out += "\n";
   }
   return out;
+}
+
+std::string field_text(const FieldDeclaration& field) {
+  return fmt::format(
+      "{}, an output field\n  {}\n  unit: {}\n  values a particle: {}\n  exists: {}\n  asked for with output: "
+      "{{fields: [{}]}}\n",
+      field.name, field.sentence, unit_text(field.unit), field.components, field.exists, field.name);
 }
 
 }  // namespace perinox::deck

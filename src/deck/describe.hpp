@@ -24,12 +24,14 @@ std::vector<DescribedKey> keys_inside(const Key& key);
 /// "number", "list of words: a, b", "exactly one of box, cylinder, ...".
 std::string type_text(const Key& key, const Schema& schema);
 /// "length", "dimensionless", or "" for what has no unit.
-std::string unit_text(const Key& key);
+std::string unit_text(const std::string& unit);
 /// "required", "alternative", "optional", or the default as YAML.
 std::string default_text(const DescribedKey& described);
 /// True if `key` names one of several groups of keys that exclude each other in `map`.
 bool is_alternative(const Key& map, const Key& key);
 /// The key in a few lines for the terminal, with the keys inside it.
 std::string help_text(const DescribedKey& described, const Schema& schema);
+/// An output field in a few lines for the terminal.
+std::string field_text(const FieldDeclaration& field);
 
 }  // namespace perinox::deck

@@ -7,6 +7,10 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string_view>
+
+#include "columns.hpp"
+#include "layout.hpp"
 
 namespace perinox::deck {
 namespace {
@@ -17,8 +21,8 @@ constexpr std::size_t most_from_aliases = 10'000;
 
 class TreeBuilder {
  public:
-  TreeBuilder(const std::string& file, std::size_t characters)
-      : file_(file), most_nodes_(characters + most_from_aliases) {}
+  TreeBuilder(const std::string& file, const std::string& yaml)
+      : file_(file), yaml_(yaml), columns_(yaml), most_nodes_(yaml.size() + most_from_aliases) {}
 
   Node build(const YAML::Node& yaml, const Location& around, int depth) {
     Node node;
@@ -36,6 +40,7 @@ class TreeBuilder {
       node.kind = Node::Kind::scalar;
       node.text = yaml.Scalar();
       node.quoted = yaml.Tag() == "!";
+      if (!node.quoted) node.goes_on = place_in_next_line(node, yaml.Mark().column);
     } else if (yaml.IsSequence()) {
       node.kind = Node::Kind::list;
       for (const auto& item : yaml) node.items.push_back(build(item, node.location, depth + 1));
@@ -59,24 +64,42 @@ class TreeBuilder {
   Location place(const YAML::Node& yaml, const Location& around) const {
     const YAML::Mark mark = yaml.Mark();
     if (mark.line < 0 || yaml.IsNull()) return around;
-    return {file_, mark.line + 1, mark.column + 1};
+    return {file_, mark.line + 1, columns_.of(mark.line + 1, mark.column)};
+  }
+
+  /// Where a scalar without quotes goes on in a later line; line 0 if it ends on its own.
+  Location place_in_next_line(const Node& scalar, int bytes) const {
+    if (scalar.text.find(' ') == std::string::npos || scalar.location.line <= 0) return {};
+    const std::vector<std::size_t>& line_starts = columns_.line_starts();
+    const auto line = static_cast<std::size_t>(scalar.location.line);
+    if (line >= line_starts.size()) return {};
+    // Its mark may stand at an anchor before it.
+    constexpr std::size_t longest_anchor = 200;
+    const std::size_t begin =
+        std::min(line_starts[line - 1] + static_cast<std::size_t>(std::max(bytes, 0)), yaml_.size());
+    const std::size_t end = std::min(line_starts[line], begin + scalar.text.size() + longest_anchor);
+    if (std::string_view(yaml_).substr(begin, end - begin).find(scalar.text) != std::string_view::npos) return {};
+    for (std::size_t later = line; later < line_starts.size(); ++later) {
+      const std::size_t first = yaml_.find_first_not_of(" \t\r", line_starts[later]);
+      if (first != std::string::npos && yaml_[first] != '\n')
+        return {file_, static_cast<int>(later) + 1, static_cast<int>(first - line_starts[later]) + 1};
+    }
+    return {};
   }
 
   std::string file_;
+  const std::string& yaml_;
+  const Columns columns_;
   std::size_t most_nodes_;
   std::size_t nodes_ = 0;
 };
 
-/// True if the line (from 0) starts with blanks and a tab.
-bool is_indented_by_tab(const std::string& yaml, int line) {
-  std::size_t begin = 0;
-  for (int i = 0; i < line && begin != std::string::npos; ++i) {
-    begin = yaml.find('\n', begin);
-    if (begin != std::string::npos) ++begin;
-  }
-  if (begin == std::string::npos) return false;
-  const std::size_t first = yaml.find_first_not_of(' ', begin);
-  return first != std::string::npos && yaml[first] == '\t';
+/// Refuses the text at the slip in its layout, or, where there is none before `where`, there with `sentence`.
+[[noreturn]] void refuse_layout(const std::string& yaml, const Location& where, const std::string& sentence) {
+  const auto slip = find_layout_mistake(yaml);
+  if (slip && (where.line <= 0 || slip->line <= where.line))
+    refuse({where.file, slip->line, slip->column}, slip->sentence);
+  refuse(where, sentence);
 }
 
 /// Hears only where documents start.
@@ -102,12 +125,14 @@ void refuse_second_document(const std::string& yaml, const std::string& file) {
   DocumentStarts starts;
   if (!parser.HandleNextDocument(starts) || !parser.HandleNextDocument(starts)) return;
   const YAML::Mark mark = starts.latest;
-  const Location where{file, std::max(mark.line, 0) + 1, std::max(mark.column, 0) + 1};
-  const auto at = static_cast<std::size_t>(std::max(mark.pos, 0));
-  if (yaml.compare(std::min(at, yaml.size()), 3, "---") == 0) {
+  const int line_of_mark = std::max(mark.line, 0) + 1;
+  const Location where{file, line_of_mark, Columns(yaml).of(line_of_mark, std::max(mark.column, 0))};
+  std::size_t begin = 0;
+  for (int line = 1; line < where.line && begin < yaml.size(); ++line) begin = yaml.find('\n', begin) + 1;
+  if (yaml.compare(begin, 3, "---") == 0) {
     refuse(where, "a second YAML document starts here; a deck is one document, so remove the line ---");
   }
-  refuse(where, "this does not belong to the lines above; check indentation, commas and brackets");
+  refuse_layout(yaml, where, "this does not belong to the lines above; check indentation, commas and brackets");
 }
 
 std::string syntax_sentence(const std::string& message) {
@@ -120,7 +145,9 @@ std::string syntax_sentence(const std::string& message) {
     return "a second colon on this line; put each key on a line of its own, or quotes around a text with a colon";
   }
   if (says("illegal EOF in scalar")) return "a text in quotes is not closed";
-  if (says("referenced anchor")) return "the alias (*name) refers to an anchor (&name) that is not defined before it";
+  if (says("referenced anchor"))
+    return "the alias (*name) refers to an anchor (&name) that is not defined before it; put a text "
+           "that begins with * in quotes";
   if (says("unknown token")) return "this character cannot start a value in YAML; put the text in quotes";
   if (says("end of map not found") || says("end of sequence not found")) {
     return "the indentation does not fit the lines above, or a colon or hyphen is missing";
@@ -190,16 +217,19 @@ const Node* Node::find(const std::string& key) const {
 Node parse_yaml(const std::string& yaml, const std::string& file) {
   try {
     refuse_second_document(yaml, file);
-    return TreeBuilder(file, yaml.size()).build(YAML::Load(yaml), {file, 1, 1}, 0);
+    return TreeBuilder(file, yaml).build(YAML::Load(yaml), {file, 1, 1}, 0);
   } catch (const YAML::DeepRecursion& error) {
     refuse({file, error.mark.line + 1, error.mark.column + 1}, "lists and maps are nested far too deep here");
   } catch (const YAML::Exception& error) {
-    const bool known = error.mark.line >= 0;
-    if (known && is_indented_by_tab(yaml, error.mark.line)) {
-      refuse({file, error.mark.line + 1, 1}, "a tab cannot indent a line in YAML; use blanks");
-    }
-    refuse({file, known ? error.mark.line + 1 : 0, known ? error.mark.column + 1 : 0}, syntax_sentence(error.msg));
+    const int line = error.mark.line < 0 ? 0 : error.mark.line + 1;
+    refuse_layout(yaml, {file, line, line == 0 ? 0 : Columns(yaml).of(line, error.mark.column)},
+                  syntax_sentence(error.msg));
   }
+}
+
+void refuse_hidden_slip(const std::string& yaml, const std::string& file) {
+  const auto slip = find_layout_mistake(yaml);
+  if (slip && slip->hidden) refuse({file, slip->line, slip->column}, slip->sentence);
 }
 
 void apply_override(Node& root, const std::string& override_text) {

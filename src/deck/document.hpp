@@ -14,6 +14,7 @@ struct Node {
   Location location;
   std::string text;     ///< of a scalar
   bool quoted = false;  ///< a scalar in quotes is text, never a number
+  Location goes_on;     ///< where a scalar without quotes goes on in a later line; line 0: nowhere
   std::vector<Node> items;
   std::vector<Entry> entries;  ///< in the file's order; a key written twice is there twice
 
@@ -30,6 +31,10 @@ struct Entry {
 
 /// Throws InputError for anything that is not one YAML document of reasonable depth and size.
 Node parse_yaml(const std::string& yaml, const std::string& file);
+
+/// For a text that is YAML but no deck: throws InputError where a slip of the keyboard has given it another meaning,
+/// such as quotes that were never closed. Returns where there is none.
+void refuse_hidden_slip(const std::string& yaml, const std::string& file);
 
 /// Replaces or adds the value at a dotted path: `solver.newton.tolerance=1e-9`, `body.0.spacing=0.1`. The new nodes'
 /// place is the override itself. Throws InputError if the path runs through a scalar or past the end of a list.

@@ -99,7 +99,7 @@ void check_operators(const std::string& formula, const Location& where) {
       levels.pop_back();
     } else if (c == ',') {
       if (!levels.back().function)
-        refuse_formula(where, formula, i, "a comma may only separate a function's arguments");
+        refuse_formula(where, formula, i, "a comma may only separate a function's arguments; decimals have a point");
       levels.back().compared = false;
     } else if (is(i, "&&") || is(i, "||")) {
       levels.back().compared = false;

@@ -58,7 +58,13 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
     const std::string whole = plain(candidate);
     if (whole.rfind(wanted, 0) == 0 || (wanted.rfind(whole, 0) == 0 && whole.size() >= 3)) return candidate;
   }
-  return "";
+  // Some of the words of one candidate alone: `mises` of von_mises_stress.
+  for (const std::string& candidate : candidates) {
+    if (("_" + plain(candidate) + "_").find("_" + wanted + "_") == std::string::npos) continue;
+    if (!best.empty() && best != candidate) return "";
+    best = candidate;
+  }
+  return best;
 }
 
 }  // namespace perinox::deck

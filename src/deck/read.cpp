@@ -8,6 +8,7 @@
 #include "check.hpp"
 #include "convert.hpp"
 #include "document.hpp"
+#include "perinox/core/error.hpp"
 #include "perinox/deck/declared.hpp"
 
 namespace perinox::deck {
@@ -46,6 +47,17 @@ Value with_title(const Value& checked, const std::string& file) {
   return Value::map(std::move(entries), checked.location(), true);
 }
 
+/// Checks a text that has been read as YAML; where it is refused, a slip that gave it another meaning is named instead.
+template <class Check>
+auto refusing_slips(const std::string& yaml, const std::string& file, Check&& check) {
+  try {
+    return check();
+  } catch (const InputError&) {
+    refuse_hidden_slip(yaml, file);
+    throw;
+  }
+}
+
 }  // namespace
 
 Deck read_text(const std::string& yaml, const std::string& file, const Schema& schema,
@@ -56,7 +68,9 @@ Deck read_text(const std::string& yaml, const std::string& file, const Schema& s
   }
   for (const std::string& text : overrides) apply_override(root, text);
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  return convert(with_title(check_against_schema(root, schema, folder.string()), file), file);
+  return refusing_slips(yaml, file, [&] {
+    return convert(with_title(check_against_schema(root, schema, folder.string()), file), file);
+  });
 }
 
 Deck read(const std::string& file, const Schema& schema, const std::vector<std::string>& overrides) {
@@ -71,7 +85,8 @@ Value read_declared_text(const std::string& yaml, const std::string& file, const
   const Node node = parse_yaml(yaml, file);
   if (node.kind == Node::Kind::null) refuse({file, 0, 0}, "the " + kind + " is empty");
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  return check_against_key(node, root, "the " + kind, folder.string());
+  return refusing_slips(yaml, file,
+                        [&] { return check_against_key(node, root, "the " + kind, folder.string()); });
 }
 
 }  // namespace perinox::deck

@@ -18,7 +18,8 @@ void complete_choices(Key& key) {
 
 }  // namespace
 
-Schema::Schema(std::vector<ModelDeclaration> models) : root_(declare_deck(models)), models_(std::move(models)) {
+Schema::Schema(std::vector<ModelDeclaration> models) : models_(std::move(models)), fields_(declare_fields(models_)) {
+  root_ = declare_deck(models_, fields_);
   definitions_.emplace("shape", declare_shape());
   for (ModelDeclaration& declaration : models_) {
     for (Key& key : declaration.keys) complete_choices(key);
@@ -29,6 +30,13 @@ const Key& Schema::definition(const std::string& name) const {
   const auto found = definitions_.find(name);
   if (found == definitions_.end()) throw std::logic_error("the schema has no definition " + name);
   return found->second;
+}
+
+const FieldDeclaration* Schema::field(const std::string& name) const {
+  for (const FieldDeclaration& candidate : fields_) {
+    if (candidate.name == name) return &candidate;
+  }
+  return nullptr;
 }
 
 const ModelDeclaration* Schema::model(const std::string& name) const {

@@ -33,7 +33,9 @@ bool ends_with(const std::string& path, const std::string& last) {
 }
 
 std::string overview(const Schema& schema) {
-  std::string out = "The deck's keys (perinox help KEY tells more of one):\n";
+  std::string out =
+      "The deck's keys. perinox help KEY tells more of one, help FIELD of an output field, help COMMAND of run, check, "
+      "verify, study and help.\n";
   for (const Key& key : schema.root().keys)
     out += fmt::format("  {:<17}{} ({})\n", key.name, key.sentence, default_text({"", "", &key}));
   return out;
@@ -66,12 +68,17 @@ std::string Schema::help(const std::string& path) const {
     if (named) collect([&](const DescribedKey& d) { return d.path_without_model == unnamed; });
   }
   collect([&](const DescribedKey& d) { return ends_with(d.path, wanted); });
+  const FieldDeclaration* asked_field = field(words.empty() ? "" : words.back());
+  const bool is_field = asked_field != nullptr && (words.size() == 1 || path == "output.fields." + asked_field->name);
+  if (matches.empty() && is_field) return field_text(*asked_field);
   if (matches.empty()) {
     std::vector<std::string> candidates;
+    for (const FieldDeclaration& one : fields()) candidates.push_back(one.name);
     for (const DescribedKey& d : all) candidates.push_back(d.key->name);
     for (const DescribedKey& d : all) candidates.push_back(d.path);
     const std::string hint = did_you_mean(path, candidates);
-    refuse({}, path + " is not a key of a deck" + (hint.empty() ? "; perinox help lists the keys" : hint));
+    refuse({}, path + " is neither a key of a deck nor an output field" +
+                   (hint.empty() ? "; perinox help lists the keys, perinox --help the commands" : hint));
   }
   std::vector<std::string> also;
   for (const DescribedKey& d : all) {
@@ -82,6 +89,7 @@ std::string Schema::help(const std::string& path) const {
   std::string out;
   for (const DescribedKey* match : matches) out += (out.empty() ? "" : "\n") + help_text(*match, *this);
   if (!also.empty()) out += "\nThere is also " + listing(also, "and") + ".\n";
+  if (is_field) out += "\n" + field_text(*asked_field);
   return out;
 }
 

@@ -20,6 +20,8 @@ const char* const introduction =
     "names\n"
     "  the line and the nearest key.\n"
     "- Units are any consistent set (mm, N, MPa, or m, N, Pa); the tables name what kind of quantity a number is.\n"
+    "- 2-D bodies have thickness 1: forces, reactions and energies are per unit thickness. Divide a given force by the\n"
+    "  thickness of the part, and multiply a reaction by it.\n"
     "- In the column `default`, `alternative` marks keys that exclude each other.\n"
     "- File names are relative to the deck's folder.\n"
     "- Points have three numbers. In 2-D they may have two; a third must be 0.\n"
@@ -75,7 +77,7 @@ std::string row(const DescribedKey& described, const Schema& schema) {
   const bool is_value = key.fallback && fallback != "optional";
   const std::string type =
       key.reference.empty() ? type_text(key, schema) : "[" + key.reference + "](#" + key.reference + ")";
-  return fmt::format("| {} | {} | {} | {} | {} | {} |\n", code(cell(described.path)), cell(type), cell(unit_text(key)),
+  return fmt::format("| {} | {} | {} | {} | {} | {} |\n", code(cell(described.path)), cell(type), cell(unit_text(key.unit)),
                      is_value ? code(cell(fallback)) : fallback, cell(range_text(key)), cell(key.sentence));
 }
 
@@ -106,6 +108,17 @@ std::string model_sections(const Schema& schema) {
   return out;
 }
 
+std::string field_section(const Schema& schema) {
+  std::string out =
+      "### Output fields\n\nWhat `output.fields` may name, for each particle in results.h5 "
+      "([results.md](results.md)); `perinox help FIELD` shows the same.\n\n"
+      "| field | meaning | unit | values a particle | exists |\n|---|---|---|---|---|\n";
+  for (const FieldDeclaration& field : schema.fields())
+    out += fmt::format("| {} | {} | {} | {} | {} |\n", code(field.name), cell(field.sentence),
+                       cell(unit_text(field.unit)), cell(field.components), cell(field.exists));
+  return out + "\n";
+}
+
 }  // namespace
 
 std::string key_table(const Key& root) {
@@ -119,6 +132,7 @@ std::string Schema::reference_page() const {
   for (const Key& key : root_.keys) {
     out += section(key, *this);
     if (key.name == "materials") out += model_sections(*this);
+    if (key.name == "output") out += field_section(*this);
     if (key.name != "body") continue;
     for (const auto& [name, definition] : definitions_) {
       out += fmt::format("### {}\n\n{} A map with exactly one of these keys:\n\n", name, definition.sentence);

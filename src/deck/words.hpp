@@ -32,11 +32,6 @@ inline const std::vector<std::string> dynamics{"quasi-static", "explicit"};
 inline const std::vector<std::string> fallback{"automatic", "explicit", "none"};
 inline const std::vector<std::string> control{"load", "arc-length"};
 inline const std::vector<std::string> history_kind{"reaction", "displacement", "yielded"};
-/// Fields that every scene carries; the material models add their own.
-inline const std::vector<std::string> field{"displacement",     "force",           "dilatation", "damage",
-                                            "stored_energy",    "weighted_volume", "stress",     "strain",
-                                            "von_mises_stress", "plastic_work",    "velocity",   "fragment"};
-
 /// The enumeration's value for a word that the schema has already accepted.
 template <class Enumeration>
 Enumeration value_of(const std::vector<std::string>& words, const std::string& word) {

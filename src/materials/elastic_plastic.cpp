@@ -16,6 +16,8 @@ const std::vector<std::string> point_history{"plastic_multiplier", "equivalent_p
 constexpr int multiplier = 0;
 constexpr int equivalent_strain = 1;
 const double root3 = std::sqrt(3.0);
+/// Yield stress in shear over shear modulus that no real material comes near: its strain at yield would be a tenth.
+constexpr double most_yield_over_shear = 0.1;
 }  // namespace
 
 ElasticPlastic::ElasticPlastic(const Parameters& parameters)
@@ -130,6 +132,15 @@ std::string ElasticPlastic::Parameters::hardening() const {
   return text;
 }
 
+std::string ElasticPlastic::Parameters::remark() const {
+  const double yield = curve().stress(0);
+  if (yield <= most_yield_over_shear * shear) return "";
+  return deck::placed(yield_location,
+                      fmt::format("the yield stress, {:g} in tension and {:g} in shear, is above {:g} of the shear "
+                                  "modulus, {:g}; check that both are in the same unit",
+                                  root3 * yield, yield, most_yield_over_shear, shear));
+}
+
 std::string ElasticPlastic::summary() const {
   return fmt::format(
       "elastic-plastic, k {:g}, mu {:g}, yield {:g} in shear ({:g} in tension), {}, {} yield value, "
@@ -208,8 +219,16 @@ deck::ModelDeclaration declaration() {
       "discrete: the yield value uses each point's own weighted volume; continuum: that of a full continuous "
       "neighbourhood, Eq. 51, as other codes have it.";
   model.keys.push_back(scaling);
-  model.fields = point_history;
-  model.fields.push_back("plastic_strain_zz");  // in 2-D
+  const std::string where = "where a material is elastic-plastic; 0 in the others' particles";
+  model.fields = {
+      {point_history[multiplier],
+       "Plastic multiplier lambda, summed over the steps: the plastic extension of a bond grows by it times "
+       "the deviatoric force state; greater than 0 where anything has flowed.",
+       "length^2*volume/stress", "1", where},
+      {point_history[equivalent_strain],
+       "Equivalent plastic strain, summed over the steps: in a tension test the plastic strain along the bar.", "-",
+       "1", where},
+      {"plastic_strain_zz", "Plastic strain out of the plane.", "-", "1", "in 2-D, " + where, true}};
   return model;
 }
 
@@ -232,6 +251,7 @@ void read_table(const deck::Material& material, deck::Dimension dimension, Elast
   const bool tension = choice.has("tension");
   const deck::Value& path = choice.at(tension ? "tension" : "shear");
   p.table = read_hardening_table(path.text(), path.location(), tension);
+  p.yield_location = path.location();
   const double lowest = p.table->lowest_slope();
   if (lowest >= 0) return;
   if (p.continuum_yield)
@@ -268,6 +288,7 @@ std::unique_ptr<Material> make_elastic_plastic(const deck::Material& material, d
                       "a hardening_table",
                       material.name));
     const deck::Value& yield = material.parameters.at("yield_stress");
+    p.yield_location = yield.at(yield.has("shear") ? "shear" : "tension").location();
     p.yield_shear = yield.has("shear") ? yield.at("shear").number() : yield.at("tension").number() / root3;
     p.hardening_shear = shear_slope(material, "hardening_modulus");
   }

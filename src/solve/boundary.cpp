@@ -18,6 +18,19 @@ bool prescribes(deck::LoadKind kind) {
 }
 bool on_surface(deck::LoadKind kind) { return kind == deck::LoadKind::traction || kind == deck::LoadKind::pressure; }
 
+/// A table that is not what a load over all of the run looks like; "" if it is.
+std::string remark_on(const body::FieldTable& table, const deck::Load& load, const deck::Deck& deck) {
+  if (!table.has_time() && deck.dynamics == deck::Dynamics::quasi_static && deck.steps.count > 1)
+    return deck::placed(
+        load.table_location,
+        "the table has no column t, so that its displacements are there in full from the first step on");
+  const double last = table.times().back(), end = deck.steps.end;
+  if (!table.has_time() || last >= end * (1 - 1e-9)) return "";
+  return deck::placed(load.table_location,
+                      fmt::format("the table ends at t = {:g}, before steps.end = {:g}; its last displacements stay "
+                                  "from there on",
+                                  last, end));
+}
 }  // namespace
 
 Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scene_(scene) {
@@ -31,7 +44,11 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
     const int number = static_cast<int>(entries_.size());
     long long twice = 0;
     if (prescribes(load.kind)) {
-      if (load.table) entry.table.emplace(*load.table, load.table_location, body, *entry.set);
+      if (load.table) {
+        entry.table.emplace(*load.table, load.table_location, body, *entry.set);
+        if (std::string remark = remark_on(*entry.table, load, deck); !remark.empty())
+          remarks_.push_back(std::move(remark));
+      }
       for (int c = 0; c < d; ++c) {
         if (!load.table && !load.component[c]) continue;
         for (const LocalIndex i : *entry.set) {

@@ -327,10 +327,14 @@ TEST(Help, TellsOfAKey) {
 TEST(Help, SuggestsTheNearestKey) {
   const Folder folder;
   for (const auto& [asked, sentence] :
-       {std::pair{"yeild_stress", "yeild_stress is not a key of a deck; did you mean yield_stress?\n"},
+       {std::pair{"yeild_stress",
+                  "yeild_stress is neither a key of a deck nor an output field; did you mean yield_stress?\n"},
         std::pair{"solver.newton.tolerence",
-                  "solver.newton.tolerence is not a key of a deck; did you mean solver.newton.tolerance?\n"},
-        std::pair{"gravity", "gravity is not a key of a deck; perinox help lists the keys\n"}}) {
+                  "solver.newton.tolerence is neither a key of a deck nor an output field; did you mean "
+                  "solver.newton.tolerance?\n"},
+        std::pair{"gravity",
+                  "gravity is neither a key of a deck nor an output field; perinox help lists the keys, "
+                  "perinox --help the commands\n"}}) {
     const Outcome outcome = folder.perinox({"help", asked});
     EXPECT_EQ(outcome.status, 2);
     EXPECT_EQ(outcome.error, sentence);

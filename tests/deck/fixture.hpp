@@ -59,7 +59,9 @@ inline std::vector<ModelDeclaration> models() {
           {"elastic-plastic",
            "Linear peridynamic solid with plastic flow.",
            plastic,
-           {"plastic_multiplier", "equivalent_plastic_strain"}}};
+           {{"plastic_multiplier", "Plastic multiplier.", "length^2*volume/stress", "1", "in plastic scenes"},
+            {"equivalent_plastic_strain", "Plastic strain of a tension test.", "-", "1", "in plastic scenes"},
+            {"plastic_strain_zz", "Plastic strain out of the plane.", "-", "1", "in plastic 2-D scenes", true}}}};
 }
 
 inline const Schema& schema() {

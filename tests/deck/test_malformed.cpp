@@ -23,8 +23,8 @@ const std::string* const flat = &fixture::flat_deck;
 const Mistake mistakes[] = {
     {"unknown_key_of_the_deck", base, "influence:", "influnce:", "9:1",
      "influnce is not a key of a deck; did you mean influence?"},
-    {"unknown_key_far_from_all", base, "influence: constant", "gravity: 9.81", "9:1",
-     "gravity is not a key of a deck; its keys are title, dimension, body, bond_bodies, horizon, influence, "
+    {"unknown_key_far_from_all", base, "influence: constant", "colour: red", "9:1",
+     "colour is not a key of a deck; its keys are title, dimension, body, bond_bodies, horizon, influence, "
      "quadrature, deformation, cracks, materials, sets, boundary, dynamics, initial_velocity, explicit, fracture, "
      "fallback, hand_over, steps, arc_length, solver, output and history"},
     {"unknown_key_of_a_material", base, "yield_stress", "yield_stess", "16:5",
@@ -44,7 +44,7 @@ const Mistake mistakes[] = {
     {"unknown_key_of_newton", base, "newton: {tolerance", "newton: {tolerence", "27:12",
      "tolerence is not a key of solver.newton; did you mean tolerance?"},
     {"unknown_key_of_a_history_entry", base, "component: z", "direction: z", "30:34",
-     "direction is not a key of a history entry; its keys are name, reaction, displacement, yielded and component"},
+     "direction is not a key of a history entry; did you mean component?"},
     {"unknown_key_of_a_set", base, "head: {where:", "head: {were:", "19:10",
      "were is not a key of a set; did you mean where?"},
     {"unknown_key_of_steps", base, "count: 20", "counts: 20", "24:19",
@@ -162,8 +162,8 @@ const Mistake mistakes[] = {
     {"unknown_model", base, "model: elastic-plastic", "model: elastic-plastik", "13:12",
      "model cannot be 'elastic-plastik'; did you mean elastic-plastic?"},
     {"unknown_field", base, "[displacement, force]", "[displacement, heat]", "28:43",
-     "an entry of fields cannot be 'heat'; it can be displacement, force, dilatation, damage, stored_energy, "
-     "weighted_volume, stress, strain, von_mises_stress, plastic_work, velocity, fragment, plastic_multiplier or "
+     "there is no output field 'heat'; there is displacement, force, dilatation, damage, stored_energy, "
+     "weighted_volume, stress, strain, von_mises_stress, plastic_work, velocity, fragment, plastic_multiplier and "
      "equivalent_plastic_strain"},
     {"facing_of_a_force", base, "displacement: {z: \"0.3*t\"}", "force: {z: 1}\n    facing: [0, 0, 1]", "24:13",
      "facing chooses faces of the surface and goes with traction or pressure only; remove it"},
@@ -270,26 +270,6 @@ const Mistake mistakes[] = {
      "this rectangle lies in the plane of the 2-D bodies and cuts no bond; write a segment"},
     {"segment_without_length", flat, "end: [2, 1]", "end: [1, 1]", "4:41",
      "start and end of the segment are the same point; move one"},
-    {"tab_indents", base, "    spacing: 1.0", "\tspacing: 1.0", "6:1",
-     "a tab cannot indent a line in YAML; use blanks"},
-    {"list_not_closed", base, "min: [0, 0, 0]", "min: [0, 0, 0", "5:48",
-     "this closing bracket does not fit the bracket that was opened last, or none was opened"},
-    {"two_colons", base, "influence: constant", "influence: constant: yes", "9:20",
-     "a second colon on this line; put each key on a line of its own, or quotes around a text with a colon"},
-    {"text_not_closed", base, "title: base", "title: \"base", "18:18",
-     "the indentation does not fit the lines above, or a colon or hyphen is missing"},
-    {"alias_without_anchor", base, "influence: constant", "influence: *nothing", "9:12",
-     "the alias (*name) refers to an anchor (&name) that is not defined before it"},
-    {"second_document", base, "influence: constant", "---\ninfluence: constant", "9:1",
-     "a second YAML document starts here; a deck is one document, so remove the line ---"},
-    {"indentation_that_does_not_fit", base, "    spacing: 1.0", "   spacing: 1.0", "6:4",
-     "the indentation does not fit the lines above, or a colon or hyphen is missing"},
-    {"stray_comma", base, "{end: 1.0, count: 20}", "{end: 1.0,, count: 20}", "24:8",
-     "a key is missing or is not a word here; check the commas and colons of this map"},
-    {"comma_outside_a_list", base, "title: base", ",title: base", "1:1",
-     "this does not belong to the lines above; check indentation, commas and brackets"},
-    {"stray_bracket", base, "count: 20}", "count: 20}}", "24:29",
-     "this closing bracket does not fit the bracket that was opened last, or none was opened"},
 };
 
 class MalformedDeck : public ::testing::TestWithParam<Mistake> {};

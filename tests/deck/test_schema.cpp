@@ -113,9 +113,39 @@ TEST(Help, WithoutAPathListsTheTopLevel) {
 }
 
 TEST(Help, NamesTheNearestKey) {
-  EXPECT_EQ(refusal("spacng"), "spacng is not a key of a deck; did you mean spacing?");
-  EXPECT_EQ(refusal("temperature"), "temperature is not a key of a deck; perinox help lists the keys");
+  EXPECT_EQ(refusal("spacng"), "spacng is neither a key of a deck nor an output field; did you mean spacing?");
+  EXPECT_EQ(refusal("temperature"),
+            "temperature is neither a key of a deck nor an output field; perinox help lists the keys, perinox --help "
+            "the commands");
   EXPECT_THAT(refusal("solver.newton.tolerence"), HasSubstr("did you mean solver.newton.tolerance?"));
+}
+
+TEST(Help, TellsEveryOutputField) {
+  const Schema& schema = fixture::schema();
+  ASSERT_EQ(schema.fields().size(), 15u);
+  const std::string page = schema.reference_page(), list = schema.help("output.fields");
+  for (const FieldDeclaration& field : schema.fields()) {
+    for (const std::string* text : {&field.sentence, &field.unit, &field.components, &field.exists})
+      EXPECT_FALSE(text->empty()) << field.name;
+    EXPECT_EQ(field.sentence.back(), '.') << field.name;
+    for (const std::string& path : {field.name, "output.fields." + field.name}) {
+      const std::string text = schema.help(path);
+      EXPECT_THAT(text, HasSubstr(field.name + ", an output field\n  " + field.sentence + "\n  unit: "));
+      EXPECT_THAT(text, HasSubstr("\n  values a particle: " + field.components + "\n  exists: " + field.exists + "\n"));
+    }
+    EXPECT_THAT(page, HasSubstr("| `" + field.name + "` | " + field.sentence + " | "));
+    EXPECT_THAT(list, HasSubstr(field.sentence));
+  }
+  // A name of a key too: both are told.
+  EXPECT_THAT(schema.help("displacement"), HasSubstr("boundary.displacement\n"));
+  EXPECT_EQ(
+      schema.help("stress"),
+      "stress, an output field\n"
+      "  Stress tensor, from the force state; zz is that out of the plane in plane strain, and 0 in plane stress.\n"
+      "  unit: stress\n"
+      "  values a particle: 6: xx, xy, xz, yy, yz, zz, along the axes of the undeformed body\n"
+      "  exists: in every run whose materials work on sums over the family, as all built-in ones do\n"
+      "  asked for with output: {fields: [stress]}\n");
 }
 
 TEST(ReferencePage, NamesEveryKeyOnce) {

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "perinox/deck/history_columns.hpp"
 #include "perinox/output/tables.hpp"
 #include "support/shuffled_body.hpp"
 
@@ -30,6 +31,13 @@ TEST(HistoryTable, HoldsNamedColumnsAndReadsBackToTheSameNumbers) {
                   "7,0.10000000000000001,0.33333333333333331,-2.0000000000000001e-300,0.125,0.5,0.625,3,47,1.5,51,"
                   "1,1.0625,1.125,1.1875,1.375,1.25,1.3125"));
   EXPECT_EQ(table.failure(), "");
+}
+
+/// The names that a deck's history entries cannot have are those of the table's own columns, all of them.
+TEST(HistoryTable, ItsColumnsAreTheNamesThatAreTaken) {
+  std::string all;
+  for (const std::string& name : deck::history_columns) all += (all.empty() ? "" : ",") + name;
+  EXPECT_EQ(HistoryTable::header({}, {true, true, true}), all);
 }
 
 TEST(ConvergenceTable, HoldsOneRowAnIterationWithItsAttempt) {

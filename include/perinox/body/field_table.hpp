@@ -19,6 +19,8 @@ class FieldTable {
   /// Displacement of the k-th particle of the set. out: [dimension]
   void evaluate(std::size_t k, double t, double* out) const;
   const std::vector<double>& times() const { return times_; }
+  /// False of a table without the column t.
+  bool has_time() const { return has_time_; }
 
  private:
   int dimension_ = 3;

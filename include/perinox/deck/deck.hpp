@@ -70,6 +70,7 @@ struct BodyPart {
   std::optional<Shape> outline{};
   /// The shape before later bodies took their part of it; none: as it is.
   std::optional<Shape> as_written{};
+  Location spacing_location{};
 };
 
 // --- bonds --------------------------------------------------------------------------------------------------------

@@ -46,7 +46,18 @@ struct Key {
   bool picks_model = false;
   std::size_t minimum_items = 0;  ///< of a list
   bool unique = false;            ///< a list without repetitions
+  bool names_field = false;       ///< a word that is the name of an output field
   std::string example;            ///< YAML of a top-level key, for the reference page
+};
+
+/// A field of results.h5, which output.fields may name.
+struct FieldDeclaration {
+  std::string name;
+  std::string sentence;    ///< what it is, one sentence
+  std::string unit;        ///< as of a Key
+  std::string components;  ///< how many values a particle has, and which
+  std::string exists;      ///< in which dimensions and with which materials and decks: "in every run"
+  bool plane_only = false;
 };
 
 /// What a material model declares about itself; the materials room hands these over.
@@ -54,7 +65,7 @@ struct ModelDeclaration {
   std::string name;
   std::string sentence;
   std::vector<Key> keys;
-  std::vector<std::string> fields{};  ///< point history variables, which output.fields may then name
+  std::vector<FieldDeclaration> fields{};  ///< point history variables
 };
 
 class Schema {
@@ -70,8 +81,14 @@ class Schema {
   /// nullptr if there is no model of this name.
   const ModelDeclaration* model(const std::string& name) const;
 
-  /// Documentation of one key by its dotted path (`solver.newton.tolerance`, `materials.elastic.bulk_modulus`), or of
-  /// every key with that last name. Throws InputError with the nearest name if there is none.
+  /// The output fields of every scene, then those of the models.
+  const std::vector<FieldDeclaration>& fields() const { return fields_; }
+  /// nullptr if there is no field of this name.
+  const FieldDeclaration* field(const std::string& name) const;
+
+  /// Documentation of one key by its dotted path (`solver.newton.tolerance`, `materials.elastic.bulk_modulus`), of
+  /// every key with that last name, and of the output field of this name. Throws InputError with the nearest name if
+  /// there is none.
   std::string help(const std::string& path) const;
   /// docs/deck.md, whole.
   std::string reference_page() const;
@@ -82,6 +99,7 @@ class Schema {
   Key root_;
   std::map<std::string, Key> definitions_;
   std::vector<ModelDeclaration> models_;
+  std::vector<FieldDeclaration> fields_;
 };
 
 }  // namespace perinox::deck

@@ -30,9 +30,11 @@ class ElasticPlastic : public Material {
     bool with_dilatation = true;
     double kinematic_shear = 0;             ///< H_k: slope of the back stress in shear over plastic shear strain
     std::optional<HardeningCurve> table{};  ///< takes the place of yield_shear and hardening_shear
+    deck::Location yield_location{};        ///< of the yield stress or of its table, for remark()
 
     HardeningCurve curve() const { return table ? *table : HardeningCurve(yield_shear, hardening_shear); }
     std::string hardening() const;  ///< for summary()
+    std::string remark() const;
   };
   explicit ElasticPlastic(const Parameters& parameters);
 
@@ -45,6 +47,7 @@ class ElasticPlastic : public Material {
   PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const override;
   ElasticModuli elastic_moduli(int dimension) const override;
   std::string summary() const override;
+  std::string remark() const override { return parameters_.remark(); }
 
  private:
   /// Everything the radial return decides for one point.

@@ -62,6 +62,9 @@ class Material {
   virtual bool symmetric() const { return true; }
   /// One line for `perinox check`: what is carried and the derived constants.
   virtual std::string summary() const = 0;
+  /// One sentence, with its place in the deck, on constants that can be computed with but are hardly meant; "" if all
+  /// are ordinary.
+  virtual std::string remark() const { return ""; }
 };
 
 /// A material model: what the deck may say about it, and how it is made.

@@ -29,6 +29,7 @@ class PlanePlastic : public Material {
   PointModulus modulus(const FamilySums& sums, const double* committed, deck::TangentForm form) const override;
   ElasticModuli elastic_moduli(int dimension) const override;
   std::string summary() const override;
+  std::string remark() const override { return parameters_.remark(); }
 
  private:
   /// Everything the return to the yield surface decides for one point.

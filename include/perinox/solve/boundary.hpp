@@ -49,7 +49,8 @@ class Boundary {
   /// Names the first load that is infinite or not a number at t, with its line, place and formula; "" if none is.
   /// Collective.
   std::string not_finite(double t) const;
-  /// One sentence for each unknown prescribed twice, at most one per pair of entries; for the log.
+  /// For the log: one sentence for each entry that prescribes unknowns of an earlier one too, and for each table that
+  /// is not a load over all of the run.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:

@@ -1,0 +1,10 @@
+#pragma once
+#include <string>
+
+namespace perinox::deck {
+
+/// What kind of mesh or geometry a file holds, by its first bytes or, where it is no table, by its name: "an Exodus
+/// mesh"; "" for any other file.
+std::string mesh_format(const std::string& path);
+
+}  // namespace perinox::deck
