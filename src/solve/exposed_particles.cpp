@@ -1,6 +1,6 @@
 #include "perinox/solve/exposed_particles.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -26,9 +26,15 @@ constexpr double pi = 3.14159265358979323846;
 
 struct Surroundings {
   Eigen::Vector3d lean = Eigen::Vector3d::Zero();
-  double flatness = 1;  ///< d times the least eigenvalue of the mean of n (x) n
-  double filled = 0;    ///< share of the horizon's ball
+  bool thin = false;  ///< d times the least eigenvalue of the mean of n (x) n is below `flat`
+  double filled = 0;  ///< share of the horizon's ball
 };
+
+/// True where all eigenvalues of a symmetric matrix are above zero: its leading minors are.
+bool positive_definite(const Eigen::Matrix3d& a, int d) {
+  const double two = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
+  return a(0, 0) > 0 && two > 0 && (d == 2 || a.determinant() > 0);
+}
 
 Surroundings look_around(const mechanics::Scene& scene, LocalIndex i, const std::vector<LocalIndex>& neighbors) {
   const body::Body& body = scene.body();
@@ -49,8 +55,7 @@ Surroundings look_around(const mechanics::Scene& scene, LocalIndex i, const std:
   if (neighbors.empty()) return found;
   const auto count = static_cast<double>(neighbors.size());
   found.lean /= count;
-  const Eigen::MatrixXd mean = square.topLeftCorner(d, d) / count;
-  found.flatness = d * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(mean, Eigen::EigenvaluesOnly).eigenvalues()(0);
+  found.thin = !positive_definite(square / count - flat / d * Eigen::Matrix3d::Identity(), d);
   return found;
 }
 
@@ -64,7 +69,7 @@ ExposedParticles find_exposed(const mechanics::Scene& scene) {
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
     graph(i, neighbors);
     const Surroundings found = look_around(scene, i, neighbors);
-    if (found.lean.norm() <= lopsided && found.flatness >= flat && found.filled >= sparse &&
+    if (found.lean.norm() <= lopsided && !found.thin && found.filled >= sparse &&
         scene.families().damage[i] <= much_damage)
       continue;
     exposed.particle.push_back(i);

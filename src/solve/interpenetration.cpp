@@ -12,7 +12,7 @@ namespace perinox::solve {
 namespace {
 
 /// Cosine between the normals of two faces above which they do not look at each other.
-constexpr double facing = -0.4;
+constexpr double facing = -0.9;
 /// In spacings: two particles further from each other along the faces do not lie across them. The farthest that a
 /// particle of a cubic lattice is from the nearest one of another: 0.71.
 constexpr double sideways = 0.75;
@@ -74,28 +74,49 @@ struct Measured {
   double depth = 0, spacing = 0;
 };
 
+/// Two particles, or layers of them, across a gap.
+struct Across {
+  double rest = 0;   ///< their distance where faces touch
+  double now = 0;    ///< signed
+  double doubt = 0;  ///< how far off the two may be because the normals of the faces are not opposite
+};
+
+/// Half of the particle's spacing across its face, stretched as the material beside it.
+double half_layer(const Side& side, const Vector& normal) {
+  return 0.5 * side.spacing * normal.dot(side.gradient * side.normal);
+}
+
+Across along_normals(const Side& a, const Side& b, const Vector& na, const Vector& nb, const Vector& whole,
+                     const Vector& between, bool near) {
+  const Vector normal = (na - nb).normalized();
+  Across found{half_layer(a, na) + half_layer(b, nb), normal.dot(between)};
+  Vector shift = between - found.now * normal;
+  if (near) {
+    found.rest = std::min(found.rest, normal.dot(whole));
+    shift -= whole - normal.dot(whole) * normal;
+  }
+  found.doubt = 0.5 * (na + nb).norm() * shift.norm();
+  return found;
+}
+
 /// Zero where the two do not lie across two faces.
 Measured overlap_of(const Side& a, const Side& b, const Vector& xi, const Vector& between, double horizon,
                     bool small_strain) {
   if (a.spacing == 0 || b.spacing == 0) return {};
   if (a.normal.dot(xi) < 0 || b.normal.dot(xi) > 0) return {};
-  const Vector na = turned(a, small_strain), nb = turned(b, small_strain);
-  const bool has_a = !na.isZero(0), has_b = !nb.isZero(0);
-  if (has_a && has_b && na.dot(nb) > facing) return {};
   const double spacing = 0.5 * (a.spacing + b.spacing);
-  const Vector normal = has_a || has_b ? (na - nb).normalized() : between.normalized();
-  const double along = normal.dot(between);
-  if (between.squaredNorm() - along * along > sideways * sideways * spacing * spacing) return {};
-  const auto layer = [&](const Side& side, const Vector& n) {
-    return 0.5 * side.spacing * (n.isZero(0) ? 1 : n.dot(side.gradient * side.normal));
-  };
-  double rest = layer(a, na) + layer(b, nb);
   const bool near = xi.norm() <= horizon * (1 + 1e-10);
-  if (near) {
-    const Vector whole = 0.5 * (a.gradient + b.gradient) * xi;
-    rest = std::min(rest, has_a || has_b ? normal.dot(whole) : whole.norm());
+  const Vector whole = 0.5 * (a.gradient + b.gradient) * xi;
+  Across found;
+  if (a.normal.isZero(0) || b.normal.isZero(0)) {
+    found = {near ? std::min(spacing, whole.norm()) : spacing, between.norm()};
+  } else {
+    const Vector na = turned(a, small_strain), nb = turned(b, small_strain);
+    if (na.dot(nb) > facing) return {};
+    found = along_normals(a, b, na, nb, whole, between, near);
+    if (between.squaredNorm() - found.now * found.now > sideways * sideways * spacing * spacing) return {};
   }
-  const double depth = rest - along;
+  const double depth = found.rest - found.now - found.doubt;
   return depth > (near ? tolerance : tolerance_from_afar) * spacing ? Measured{depth, spacing} : Measured{};
 }
 

@@ -23,14 +23,14 @@ std::string describe(const Overlap& overlap);
 ///
 /// Each exposed particle has a normal N out of its body, against the lean of its intact bonds, and a deformation
 /// gradient F, fitted to them. A pair a, b that shares no intact bond, whose faces looked at each other at the start
-/// (N_a . xi > 0 > N_b . xi) and look at each other now (n_a . n_b < -0.4, n = F^-T N/|F^-T N|), and that lies across
+/// (N_a . xi > 0 > N_b . xi) and look at each other now (n_a . n_b < -0.9, n = F^-T N/|F^-T N|), and that lies across
 /// the faces (sideways by at most 0.75 spacings) overlaps by
 ///     depth = rest - n . (y_b - y_a),   n = (n_a - n_b)/|n_a - n_b|,
 /// where the rest distance is that of two layers that touch, h stretched as the material beside them is, or where that
 /// is less and a and b began within a horizon, what their distance would be if the body were whole,
-/// n . (F_a + F_b)/2 xi. So strain of any size, turning, sliding and opening are not taken for an overlap. Particles of
-/// bodies one particle thick have no normal: the other's is taken, or the line between the two.
-/// With small strain N and F stay as they are in the undeformed body and in its displacement gradient.
+/// n . (F_a + F_b)/2 xi. So strain of any size, turning, sliding and opening are not taken for an overlap; what sliding
+/// can do because the two normals are not quite opposite is taken off the depth. Particles of bodies one particle thick
+/// have no normal: the distance of the two is looked at. With small strain normals do not turn.
 class Interpenetration {
  public:
   Interpenetration(const deck::Deck& deck, const mechanics::Scene& scene);
