@@ -165,7 +165,7 @@ deck::Key table_choice() {
       "Yield stress over plastic strain, in place of yield_stress and hardening_modulus: a CSV file with the columns "
       "plastic_strain (from 0, rising) and yield_stress; straight between the rows, constant after the last. Stresses "
       "are forces per undeformed area and strains changes of length per undeformed length, without their elastic part; "
-      "what a table of true stress over logarithmic strain means is met up to 3 % of stretch.",
+      "what a table of true stress over logarithmic strain means is met up to 2.5 % of stretch.",
       false, true, "Of a uniaxial tension test, with its plastic strain along the bar.",
       "Of pure shear, with the plastic shear strain.");
   for (deck::Key& entry : choice.keys) {
@@ -185,9 +185,8 @@ deck::ModelDeclaration declaration() {
       elastic_keys()};
   model.keys.push_back(stress_choice("yield_stress",
                                      "Yield stress, a force per undeformed area; say in which test it was measured. "
-                                     "Needed unless there is a hardening_table. With deformation: finite a bar that "
-                                     "keeps to it hardens in true stress: by 5 % of it at 3 % of stretch, by 60 % at "
-                                     "30 %, and in compression it softens by as much at first.",
+                                     "Needed unless there is a hardening_table. With deformation: finite the "
+                                     "true stress of a bar goes beyond it: by 3 % at 2.5 % of stretch, by 61 % at 30 %.",
                                      false, false,
                                      "In uniaxial tension; the yield stress in shear is this over sqrt(3) (Eq. 56).",
                                      "In pure shear (Eq. 57)."));

@@ -152,8 +152,8 @@ BondStretch largest_prescribed_stretch(const deck::Deck& deck, const mechanics::
 
 std::string consequence_of_stretch() {
   return fmt::format(
-      "beyond {:g} % the true stress of its law is more than 5 % of the yield stress off, because its extensions are "
-      "per undeformed length",
+      "the true stress of its law is within 5 % of the yield stress up to {:g} % only, because its extensions are per "
+      "undeformed length",
       100 * most_plastic_stretch);
 }
 

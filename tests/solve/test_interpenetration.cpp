@@ -174,7 +174,7 @@ sets:
   hi: {where: "y > 37"}
   above: {where: "y > 20 && y < 21 && x > 19 && x < 21"}
   below: {where: "y > 19 && y < 20 && x > 19 && x < 21"}
-boundary: [{set: lo, displacement: {x: 0, y: 0}}, {set: hi, displacement: {x: 0, y: "-2.5*t"}}]
+boundary: [{set: lo, displacement: {x: 0, y: 0}}, {set: hi, displacement: {x: 0, y: "-2*t"}}]
 steps: {end: 1, count: 5}
 history:
   - {name: F, reaction: hi, component: y}

@@ -18,7 +18,7 @@ struct BondStretch {
 
 /// Up to here bonds that flow are stretched while the true stress of a perfectly plastic body stays within 5 % of its
 /// yield stress, in tension and in shear (docs/theory.md, section 3).
-constexpr double most_plastic_stretch = 0.03;
+constexpr double most_plastic_stretch = 0.025;
 
 /// True where a stretch can matter: a material flows, and `deformation: finite`. Collective.
 bool flows_finitely(const mechanics::Scene& scene);
