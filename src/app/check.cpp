@@ -94,8 +94,8 @@ int check(const Options& options, const Communicator& communicator) {
       damage += fmt::format("  {}\n", line);
   if (!communicator.is_root() || options.quiet) return 0;
   fmt::print("{}{}", problem.report.summary, problem.report.details);
-  fmt::print("boundary\n  {} unknowns prescribed, {} free\n{}", boundary.prescribed_count(),
-             boundary.free_count(), stretch);
+  fmt::print("boundary\n  {} unknowns prescribed, {} free\n{}", boundary.prescribed_count(), boundary.free_count(),
+             stretch);
   if (!damage.empty()) fmt::print("fracture\n{}", damage);
   fmt::print("{}{}", steps, in_time);
   fmt::print("\n# the resolved deck\n{}", deck::write_resolved(problem.deck));

@@ -183,13 +183,13 @@ deck::ModelDeclaration declaration() {
       "linear or from a table, and with linear kinematic hardening; in plane strain and plane stress with the plastic "
       "strain out of the plane.",
       elastic_keys()};
-  model.keys.push_back(stress_choice("yield_stress",
-                                     "Yield stress, a force per undeformed area; say in which test it was measured. "
-                                     "Needed unless there is a hardening_table. With deformation: finite the "
-                                     "true stress of a bar goes beyond it: by 3 % at 2.5 % of stretch, by 61 % at 30 %.",
-                                     false, false,
-                                     "In uniaxial tension; the yield stress in shear is this over sqrt(3) (Eq. 56).",
-                                     "In pure shear (Eq. 57)."));
+  model.keys.push_back(
+      stress_choice("yield_stress",
+                    "Yield stress, a force per undeformed area; say in which test it was measured. "
+                    "Needed unless there is a hardening_table. With deformation: finite the "
+                    "true stress of a bar goes beyond it: by 3 % at 2.5 % of stretch, by 61 % at 30 %.",
+                    false, false, "In uniaxial tension; the yield stress in shear is this over sqrt(3) (Eq. 56).",
+                    "In pure shear (Eq. 57)."));
   model.keys.push_back(
       stress_choice("hardening_modulus", "Linear isotropic hardening; left out: perfect plasticity.", false, true,
                     "Slope of the tension yield stress over equivalent plastic strain; in shear it is a third of this.",

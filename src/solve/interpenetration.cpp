@@ -29,8 +29,8 @@ using Matrix = Eigen::Matrix3d;
 
 /// What is known of a body at one of its exposed particles.
 struct Side {
-  double spacing = 0;              ///< 0: out of the model
-  Vector normal = Vector::Zero();  ///< N; zero: none
+  double spacing = 0;                    ///< 0: out of the model
+  Vector normal = Vector::Zero();        ///< N; zero: none
   Matrix gradient = Matrix::Identity();  ///< F
 };
 constexpr int side_size = 13;
@@ -178,8 +178,8 @@ Overlap Interpenetration::measure(const std::vector<double>& displacement, const
   for (const auto& [one, other] : near_.pairs()) {
     const Vector xi = three(near_.reference(other), d) - three(near_.reference(one), d);
     const Vector between = three(near_.place(other), d) - three(near_.place(one), d);
-    const Measured found = overlap_of(side(one), side(other), xi, between, scene_.families().horizon,
-                                      scene_.small_strain());
+    const Measured found =
+        overlap_of(side(one), side(other), xi, between, scene_.families().horizon, scene_.small_strain());
     if (found.depth <= worst.depth) continue;
     worst.depth = found.depth;
     worst.spacings = found.depth / found.spacing;

@@ -26,8 +26,8 @@ BondStretch largest_stretch(const mechanics::Scene& scene, const std::vector<dou
     double before = 0, after = 0;
     for (int c = 0; c < d; ++c) {
       const double xi = body.position(j)[c] - body.position(i)[c];
-      const double y = xi + displacement[static_cast<std::size_t>(j) * d + c] -
-                       displacement[static_cast<std::size_t>(i) * d + c];
+      const double y =
+          xi + displacement[static_cast<std::size_t>(j) * d + c] - displacement[static_cast<std::size_t>(i) * d + c];
       before += xi * xi;
       after += y * y;
     }

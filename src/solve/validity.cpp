@@ -66,9 +66,9 @@ void Validity::save(StateWriter& writer) const {
 // A checkpoint of a version that did not look has nothing to tell.
 void Validity::restore(StateReader& reader) {
   const auto place = [&](const std::string& name, double& size, double& t, int& step, deck::Point& at) {
-    size = reader.number(name + "/size");
+    size = restored_number(reader, name + "/size", 0);
     t = reader.number(name + "/t");
-    step = restored_count(reader, (name + "/step").c_str());
+    step = restored_count(reader, name + "/step");
     for (std::size_t c = 0; c < 3; ++c) at[c] = reader.number(name + "/" + "xyz"[c]);
   };
   if (faces_ && reader.has("overlap/size")) {

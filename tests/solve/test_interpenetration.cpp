@@ -60,8 +60,8 @@ std::vector<Case> cases() {
        "dimension: plane-stress\n" + whole + "cracks: [{segment: {start: [-1, 10], end: [14, 10]}}]\n" + rest, 1},
       {"two bodies", "dimension: plane-stress\n" + halves + rest, 1},
       {"crack through a block",
-       "dimension: 3\n" + solid + "cracks: [{rectangle: {corner: [-1, 10, -1], edge1: [12, 0, 0], edge2: [0, 0, 12]}}]\n" +
-           rest,
+       "dimension: 3\n" + solid +
+           "cracks: [{rectangle: {corner: [-1, 10, -1], edge1: [12, 0, 0], edge2: [0, 0, 12]}}]\n" + rest,
        1},
   };
 }
@@ -123,8 +123,7 @@ TEST(Interpenetration, CrackTipsThatOpenOrSlideAreNoOverlap) {
         const double rx = x[0] - 14, ry = x[1] - 10, r = std::hypot(rx, ry), a = std::atan2(ry, rx);
         const double k = 2.08, f = size * std::sqrt(r);  // k: plane stress, nu = 0.3
         const double c = std::cos(a / 2), s = std::sin(a / 2);
-        if (opens)
-          return Point{x[0] + f * c * (k - 1 + 2 * s * s) / 2, x[1] + f * s * (k + 1 - 2 * c * c) / 2, x[2]};
+        if (opens) return Point{x[0] + f * c * (k - 1 + 2 * s * s) / 2, x[1] + f * s * (k + 1 - 2 * c * c) / 2, x[2]};
         return Point{x[0] + f * s * (k + 1 + 2 * c * c) / 2, x[1] - f * c * (k - 1 - 2 * s * s) / 2, x[2]};
       };
       EXPECT_EQ(faces.after(motion).depth, 0) << size << (opens ? ", opens" : ", slides");

@@ -16,7 +16,8 @@ inline const ThinScene thin_scenes[] = {
     {"strips", "plane-stress", "min: [0, 0], max: [30, 1]", "min: [15, 1.2], max: [16, 31.2]", 'y'},
     {"strips between two particles", "plane-stress", "min: [0, 0], max: [30, 1]", "min: [14.5, 1.2], max: [15.5, 31.2]",
      'y'},
-    {"strips flat on each other", "plane-stress", "min: [0, 0], max: [12, 1]", "min: [0.3, 1.2], max: [12.3, 2.2]", 'y'},
+    {"strips flat on each other", "plane-stress", "min: [0, 0], max: [12, 1]", "min: [0.3, 1.2], max: [12.3, 2.2]",
+     'y'},
     {"plates", "3", "min: [0, 0, 0], max: [12, 12, 1]", "min: [0, 5.5, 1.2], max: [12, 6.5, 9.2]", 'z'},
     {"rows", "3", "min: [0, 0, 0], max: [20, 1, 1]", "min: [9.5, -9.5, 1.2], max: [10.5, 10.5, 2.2]", 'z'},
 };

@@ -32,8 +32,10 @@ class ExposedPairs {
   const ExposedParticles& exposed() const { return exposed_; }
   /// The first of a pair is this rank's; the second may be another's.
   const std::vector<std::array<int, 2>>& pairs() const { return pairs_; }
-  const double* place(int point) const { return &place_[static_cast<std::size_t>(point) * d_]; }          ///< current
-  const double* reference(int point) const { return &reference_[static_cast<std::size_t>(point) * d_]; }  ///< undeformed
+  const double* place(int point) const { return &place_[static_cast<std::size_t>(point) * d_]; }  ///< current
+  const double* reference(int point) const {
+    return &reference_[static_cast<std::size_t>(point) * d_];
+  }  ///< undeformed
   long long lists() const { return lists_; }
 
   /// Where the particles were when the list was made [owned * dimension], and the list made of it again: in which order

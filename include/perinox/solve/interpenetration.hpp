@@ -9,7 +9,7 @@ namespace perinox::solve {
 
 /// How deep faces have passed into each other at worst, and where.
 struct Overlap {
-  double depth = 0;    ///< length; 0: nowhere beyond the tolerance
+  double depth = 0;     ///< length; 0: nowhere beyond the tolerance
   double spacings = 0;  ///< depth over the mean spacing of the pair
   double t = 0;
   int step = 0;

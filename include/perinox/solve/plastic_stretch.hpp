@@ -24,9 +24,9 @@ constexpr double most_plastic_stretch = 0.025;
 bool flows_finitely(const mechanics::Scene& scene);
 /// displacement: [local * dimension], ghosts up to date. Collective.
 BondStretch largest_plastic_stretch(const mechanics::Scene& scene, const std::vector<double>& displacement);
-/// What the prescribed displacements alone say of the stretch that the run will come to: of bonds held at both ends, and
-/// of the lines between the middles of two sets of the boundary, where all of the body flows and is bonded. Looked at
-/// are at most a hundred of the load steps. Collective.
+/// What the prescribed displacements alone say of the stretch that the run will come to: of bonds held at both ends,
+/// and of the lines between the middles of two sets of the boundary, where all of the body flows and is bonded. Looked
+/// at are at most a hundred of the load steps. Collective.
 BondStretch largest_prescribed_stretch(const deck::Deck& deck, const mechanics::Scene& scene, const Boundary& boundary);
 /// "a bond of a material that flows is stretched by ... % at (x, y, z): ..." with what follows from it.
 std::string describe(const BondStretch& stretch);
