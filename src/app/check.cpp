@@ -6,6 +6,7 @@
 #include "perinox/deck/remarks.hpp"
 #include "perinox/solve/bond_limits.hpp"
 #include "perinox/solve/boundary.hpp"
+#include "perinox/solve/plastic_stretch.hpp"
 #include "perinox/solve/time_stepper.hpp"
 
 namespace perinox::app {
@@ -67,6 +68,18 @@ std::string motion_in_words(Problem& problem, const Communicator& communicator) 
   return text;
 }
 
+/// A warning where the prescribed displacements stretch what flows farther than its law holds for; else empty.
+/// Collective.
+std::string stretch_in_words(const Problem& problem, const solve::Boundary& boundary) {
+  if (!solve::flows_finitely(problem.scene)) return "";
+  const solve::BondStretch found = solve::largest_prescribed_stretch(problem.deck, problem.scene, boundary);
+  if (found.stretch <= solve::most_plastic_stretch) return "";
+  return fmt::format(
+      "  warning: at t = {:.6g} the prescribed displacements stretch a material that flows by {:.3g} % about ({:g}, "
+      "{:g}, {:g}); {}\n",
+      found.t, 100 * found.stretch, found.place[0], found.place[1], found.place[2], solve::consequence_of_stretch());
+}
+
 }  // namespace
 
 int check(const Options& options, const Communicator& communicator) {
@@ -78,13 +91,15 @@ int check(const Options& options, const Communicator& communicator) {
       fmt::print(stderr, "note: {}\n", remark);
   const std::string steps = load_steps_in_words(problem, communicator);
   const std::string in_time = motion_in_words(problem, communicator);
+  const std::string stretch = stretch_in_words(problem, boundary);
   std::string damage;
   if (problem.deck.breaks())
     for (const std::string& line : solve::describe(solve::bond_limits(problem.deck, problem.scene), problem.deck))
       damage += fmt::format("  {}\n", line);
   if (!communicator.is_root() || options.quiet) return 0;
   fmt::print("{}{}", problem.report.summary, problem.report.details);
-  fmt::print("boundary\n  {} unknowns prescribed, {} free\n", boundary.prescribed_count(), boundary.free_count());
+  fmt::print("boundary\n  {} unknowns prescribed, {} free\n{}", boundary.prescribed_count(), boundary.free_count(),
+             stretch);
   if (!damage.empty()) fmt::print("fracture\n{}", damage);
   fmt::print("{}{}", steps, in_time);
   fmt::print("\n# the resolved deck\n{}", deck::write_resolved(problem.deck));

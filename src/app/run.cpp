@@ -27,6 +27,12 @@ constexpr double worth_a_warning = 1e-4;
 constexpr double worth_a_warning_of_chords = 0.05;
 constexpr double worth_a_warning_in_time = 0.01;
 
+/// What the states that were reached have that the model does not hold for.
+void say_doubts(const solve::Validity& validity, const Communicator& communicator) {
+  if (!communicator.is_root()) return;
+  for (const std::string& sentence : validity.at_end()) fmt::print(stderr, "warning: {}\n", sentence);
+}
+
 /// What to say of a share that is missing; nothing if it is small.
 std::string remark_on(double gap, const mechanics::Scene& scene, const solve::Energies& e) {
   const std::string what = fmt::format("the external work is {:.2g} % {} than what is stored and dissipated",
@@ -101,10 +107,12 @@ void run_into(Stepper& stepper, const Problem& problem, const Options& options, 
     stepper.run(*writer);
   } catch (const RunError& error) {
     say_times();
+    say_doubts(stepper.validity(), communicator);
     const std::string command = checkpoints.resume_command();
     throw RunError(command.empty() ? error.what() : fmt::format("{}\nresume with: {}", error.what(), command));
   }
   say_times();
+  say_doubts(stepper.validity(), communicator);
 }
 
 int run_in_time(Problem& problem, const Options& options, const Communicator& communicator,

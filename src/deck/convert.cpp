@@ -233,6 +233,10 @@ bool Deck::may_move() const {
          std::all_of(materials.begin(), materials.end(), [](const Material& m) { return m.density.has_value(); });
 }
 
+bool Deck::may_overlap() const {
+  return dynamics != Dynamics::explicit_ && (breaks() || !cracks.empty() || (!bond_bodies && body.size() > 1));
+}
+
 int unknowns(Dimension dimension) { return dimension == Dimension::three ? 3 : 2; }
 
 Deck convert(Value checked, const std::string& file) {

@@ -174,7 +174,9 @@ deck::Key table_choice() {
   deck::Key choice = stress_choice(
       "hardening_table",
       "Yield stress over plastic strain, in place of yield_stress and hardening_modulus: a CSV file with the columns "
-      "plastic_strain (from 0, rising) and yield_stress; straight between the rows, constant after the last.",
+      "plastic_strain (from 0, rising) and yield_stress; straight between the rows, constant after the last. Stresses "
+      "are forces per undeformed area and strains changes of length per undeformed length, without their elastic part; "
+      "what a table of true stress over logarithmic strain means is met up to 2.5 % of stretch.",
       false, true, "Of a uniaxial tension test, with its plastic strain along the bar.",
       "Of pure shear, with the plastic shear strain.");
   for (deck::Key& entry : choice.keys) {
@@ -192,12 +194,13 @@ deck::ModelDeclaration declaration() {
       "linear or from a table, and with linear kinematic hardening; in plane strain and plane stress with the plastic "
       "strain out of the plane.",
       elastic_keys()};
-  model.keys.push_back(stress_choice("yield_stress",
-                                     "Yield stress; say in which test it was measured. Needed unless there is a "
-                                     "hardening_table.",
-                                     false, false,
-                                     "In uniaxial tension; the yield stress in shear is this over sqrt(3) (Eq. 56).",
-                                     "In pure shear (Eq. 57)."));
+  model.keys.push_back(
+      stress_choice("yield_stress",
+                    "Yield stress, a force per undeformed area; say in which test it was measured. "
+                    "Needed unless there is a hardening_table. With deformation: finite the "
+                    "true stress of a bar goes beyond it: by 3 % at 2.5 % of stretch, by 61 % at 30 %.",
+                    false, false, "In uniaxial tension; the yield stress in shear is this over sqrt(3) (Eq. 56).",
+                    "In pure shear (Eq. 57)."));
   model.keys.push_back(
       stress_choice("hardening_modulus", "Linear isotropic hardening; left out: perfect plasticity.", false, true,
                     "Slope of the tension yield stress over equivalent plastic strain; in shear it is a third of this.",

@@ -99,7 +99,8 @@ void RunWriter::begin(const deck::Deck& deck, const body::Body& body, bool quiet
   };
   const std::string history = files.directory + "/history.csv", convergence = files.directory + "/convergence.csv";
   const HistoryTable::Columns columns{deck.breaks(), deck.may_move(),
-                                      deck.may_move() && deck.dynamics != deck::Dynamics::explicit_};
+                                      deck.may_move() && deck.dynamics != deck::Dynamics::explicit_,
+                                      deck.may_overlap()};
   long long history_kept = 0, convergence_kept = 0;
   if (from == nullptr) {
     say(prepare_directory(files.directory, files.communicator));

@@ -74,7 +74,7 @@ std::string HistoryTable::header(const std::vector<std::string>& names, Columns 
          seconds_columns() +
          (columns.fracture ? ",passes,broken_bonds,released_energy,relaxed_energy,fragments,single_particles" : "") +
          (columns.motion ? ",time,time_steps,kinetic_energy,damped_energy,contact_energy" : "") +
-         (columns.phases ? ",phases,cause,phase_time,phase_energy" : "");
+         (columns.phases ? ",phases,cause,phase_time,phase_energy" : "") + (columns.overlap ? ",overlap" : "");
 }
 
 void HistoryTable::row(const solve::StepRecord& record) {
@@ -97,6 +97,7 @@ void HistoryTable::row(const solve::StepRecord& record) {
       line += fmt::format(",{},{},{:.17g},{:.17g}", row.phases, static_cast<int>(row.cause), row.phase_time,
                           row.phase_energy);
   }
+  if (columns_.overlap) line += fmt::format(",{:.17g}", record.overlap.value_or(0));
   file_.append(line);
 }
 

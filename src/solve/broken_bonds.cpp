@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "broken_table.hpp"
+#include "perinox/solve/each_bond.hpp"
 
 namespace perinox::solve {
 
@@ -18,14 +19,6 @@ bool lower_first(const Entry& a, const Entry& b) { return a[0] < b[0]; }
 std::pair<std::size_t, std::size_t> range_of(const std::vector<Entry>& table, GlobalId id) {
   const auto [first, last] = std::equal_range(table.begin(), table.end(), Entry{id, 0, 0}, lower_first);
   return {static_cast<std::size_t>(first - table.begin()), static_cast<std::size_t>(last - table.begin())};
-}
-
-template <class Visit>
-void each_bond(const mechanics::Scene& scene, const Visit& visit) {
-  if (scene.lattice())
-    scene.lattice()->each([&](LocalIndex i, LocalIndex j, const bonds::StencilOffset&) { visit(i, j); });
-  else
-    scene.pairs()->each([&](LocalIndex i, LocalIndex j, double, double) { visit(i, j); });
 }
 
 void save_broken_extension(const mechanics::Scene& scene, StateWriter& writer) {

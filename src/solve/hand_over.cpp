@@ -43,6 +43,7 @@ void HandOver::make_motion(mechanics::Committed&& state, double rate) {
   ExplicitMotion::Settings settings;
   settings.damping = deck_.hand_over.damping.value_or(damping_over_passage / (passage_ * patience_));
   settings.contact = deck_.motion.contact;
+  settings.spacings = lattice_spacings(deck_);
   settings.rate = rate;
   settings.safety = time_step_safety(deck_, scene_);
   motion_ =

@@ -36,7 +36,8 @@ LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
       external_(scene.owned_unknowns(), 0.0),
       dilatation_(static_cast<std::size_t>(scene.owned()), 0.0),
       stored_energy_(static_cast<std::size_t>(scene.owned()), 0.0),
-      records_(deck, scene) {
+      records_(deck, scene),
+      validity_(deck, scene) {
   if (deck.may_move()) motion_.emplace();
   if (deck.breaks()) breaking_ = std::make_unique<BondBreaking>(deck, scene);
 }
@@ -52,6 +53,7 @@ void LoadStepper::run(Observer& observer) {
     NewtonResult result;
     if (!advance(observer, result)) continue;
     last_result_ = result;
+    validity_.look(committed_, step_, boundary_.loose(), observer);
     const bool last = control_->finished();
     StepRecord row = record(result, last || step_ % deck_.output.every == 0);
     row.seconds = now() - step_begin_;
@@ -218,6 +220,7 @@ StepRecord LoadStepper::record(const NewtonResult& result, bool written) {
   row.dissipated_energy = energies_.dissipated;
   row.external_work = energies_.external_work;
   if (breaking_) row.fracture = FractureRow{passes_, breaking_->broken(), energies_.released, energies_.relaxed};
+  row.overlap = validity_.overlap();
   row.motion = motion_;
   if (row.motion) row.motion->damped_energy = energies_.damped;
   row.end = deck_.steps.end;

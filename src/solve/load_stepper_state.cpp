@@ -121,6 +121,7 @@ void LoadStepper::save(StateWriter& writer) const {
   writer.particles("stepper/stored_energy_density", stored_energy_.data(), 1);
   control_->save(writer);
   newton_.save_remedies(writer);
+  validity_.save(writer);
   if (breaking_) save_fracture(writer);
   if (hand_over_) {
     save_phase(writer);
@@ -148,6 +149,7 @@ void LoadStepper::restore(StateReader& reader) {
   dilatation_ = reader.particles("stepper/dilatation", 1);
   stored_energy_ = reader.particles("stepper/stored_energy_density", 1);
   newton_.restore_remedies(reader);
+  validity_.restore(reader);
   if (breaking_)
     restore_fracture(reader);
   else if (!reader.has(phase))

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "perinox/bonds/components.hpp"
+#include "perinox/solve/each_bond.hpp"
 
 namespace perinox::solve {
 
@@ -17,14 +18,6 @@ constexpr double least_resistance = 1e-3;
 constexpr double much_damage = 0.5;
 /// Single pieces named in the log; the others are counted.
 constexpr int most_named = 3;
-
-template <class Visit>
-void each_bond(const mechanics::Scene& scene, const Visit& visit) {
-  if (scene.lattice())
-    scene.lattice()->each([&](LocalIndex i, LocalIndex j, const bonds::StencilOffset&) { visit(i, j); });
-  else
-    scene.pairs()->each([&](LocalIndex i, LocalIndex j, double, double) { visit(i, j); });
-}
 
 /// Marks [local] the particles whose families hold them against less than every motion.
 std::vector<double> find_hanging(const mechanics::Scene& scene) {

@@ -25,6 +25,7 @@ ExplicitMotion::Settings settings_of(const deck::Deck& deck, const mechanics::Sc
   ExplicitMotion::Settings settings;
   settings.damping = motion.damping;
   settings.contact = motion.contact;
+  settings.spacings = lattice_spacings(deck);
   settings.safety = time_step_safety(deck, scene);
   return settings;
 }
@@ -37,7 +38,7 @@ double count_of(double span, double longest) { return std::max(1.0, std::ceil(sp
 }  // namespace
 
 TimeStepper::TimeStepper(const deck::Deck& deck, mechanics::Scene& scene)
-    : deck_(deck), scene_(scene), boundary_(deck, scene), records_(deck, scene) {
+    : deck_(deck), scene_(scene), boundary_(deck, scene), records_(deck, scene), validity_(deck, scene) {
   make_motion();
   if (deck.breaks()) breaking_ = std::make_unique<BondBreaking>(deck, scene);
   motion_->set_velocity(deck.initial_velocity);
@@ -87,6 +88,7 @@ void TimeStepper::run(Observer& observer) {
     ++row_;
     ++step_;
     const bool end = row_ == deck_.steps.count;
+    validity_.look(motion_->committed(), step_, boundary_.loose(), observer);
     StepRecord row = record(end || step_ % deck_.output.every == 0, end);
     row.t = row.motion->time = t;
     row.seconds = now() - row_begin_;

@@ -26,6 +26,7 @@ void TimeStepper::save(StateWriter& writer) const {
   writer.number("row/longest", row_longest_);
   const double seconds = row_done_ > 0 ? now() - row_begin_ : 0;
   writer.number("row/seconds", scene_.body().communicator.max(seconds));
+  validity_.save(writer);
   motion_->save(writer);
   if (breaking_) save_broken_bonds(scene_, breaking_->rounds(), writer);
 }
@@ -39,6 +40,7 @@ void TimeStepper::restore(StateReader& reader) {
   }
   make_motion();
   motion_->restore(reader);
+  validity_.restore(reader);
   energies_ = motion_->energies();
   step_ = restored_count(reader, "stepper/step");
   constexpr long long most = std::numeric_limits<long long>::max();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/motion.hpp"
+#include "support/thin_bodies.hpp"
 
 namespace perinox::testing {
 namespace {
@@ -58,6 +59,11 @@ boundary: [{set: edge, velocity: {x: "1e9*t"}}]
 steps: {end: 3e-5, count: 5}
 )"),
           "disc against a plate");
+}
+
+TEST(ExplicitRanks, BodiesOneParticleThick) {
+  for (const ThinScene& scene : thin_scenes)
+    for (const bool far : {false, true}) compare(deck_of(thin_deck(scene, far)), scene.name);
 }
 
 }  // namespace

@@ -34,14 +34,15 @@ class GrowingFile {
 
 /// `history.csv`: one row a committed step. Columns: step, t, one for each name, stored_energy, dissipated_energy,
 /// external_work, newton_iterations, linear_iterations, seconds, products, and seconds_<section> of each section of the
-/// profile; then those of FractureRow and MotionRow, by their names, for scenes that have them. Numbers as %.17g: they
-/// read back to the same double; the sections' seconds with six digits.
+/// profile; then those of FractureRow and MotionRow, by their names, and overlap, for scenes that have them. Numbers as
+/// %.17g: they read back to the same double; the sections' seconds with six digits.
 class HistoryTable {
  public:
   struct Columns {
     bool fracture = false;
     bool motion = false;
     bool phases = false;  ///< with motion
+    bool overlap = false;
   };
   HistoryTable(const std::string& path, const std::vector<std::string>& names) : HistoryTable(path, names, {}) {}
   /// kept: bytes of an existing table that stay; 0: a new one.

@@ -15,6 +15,7 @@
 #include "perinox/solve/record.hpp"
 #include "perinox/solve/step_control.hpp"
 #include "perinox/solve/step_records.hpp"
+#include "perinox/solve/validity.hpp"
 
 namespace perinox::solve {
 
@@ -64,6 +65,7 @@ class LoadStepper {
   const Boundary& boundary() const { return boundary_; }
   Newton& newton() { return newton_; }
   const Energies& energies() const { return energies_; }
+  const Validity& validity() const { return validity_; }
   /// Internal force at the committed state. [owned * dimension], force.
   const std::vector<double>& force() const { return force_; }
 
@@ -120,6 +122,7 @@ class LoadStepper {
   std::vector<double> force_, external_, dilatation_, stored_energy_;
   Converged converged_;
   StepRecords records_;
+  Validity validity_;
   Told told_;
   Passing passing_;
   int step_ = 0;

@@ -104,6 +104,7 @@ struct StepRecord {
   double remaining_seconds = 0;  ///< estimate to the end
   double end = 0;                ///< t at the end of the run
   std::optional<FractureRow> fracture;
+  std::optional<double> overlap;  ///< depth to which faces have passed into each other; where Deck::may_overlap()
   std::optional<MotionRow> motion;
   std::vector<double> history;  ///< one value per deck.history entry
   std::vector<Field> fields;    ///< every field the scene carries; stress and strain of the last written step

@@ -9,6 +9,7 @@
 #include "perinox/solve/explicit_motion.hpp"
 #include "perinox/solve/record.hpp"
 #include "perinox/solve/step_records.hpp"
+#include "perinox/solve/validity.hpp"
 
 namespace perinox::solve {
 
@@ -51,6 +52,7 @@ class TimeStepper {
   const Boundary& boundary() const { return boundary_; }
   ExplicitMotion& motion() { return *motion_; }
   /// At the end of the run.
+  const Validity& validity() const { return validity_; }
   const MotionEnergies& energies() const { return energies_; }
   /// Largest gain of energy over the largest energy, at any row.
   double worst_gain() const { return worst_gain_; }
@@ -69,6 +71,7 @@ class TimeStepper {
   std::optional<ExplicitMotion> motion_;
   std::unique_ptr<BondBreaking> breaking_;  ///< where bonds can break
   StepRecords records_;
+  Validity validity_;
   MotionEnergies energies_;
   double worst_gain_ = 0;
   double length_ = 0;        ///< of a time step in the last row
