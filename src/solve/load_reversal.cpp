@@ -18,9 +18,9 @@ constexpr double rounding = 1e-12;
 constexpr double precise = 1e-14;
 /// A load is told of where a step does not see this share of what it has been.
 constexpr double worth_a_remark = 1e-6;
-/// Load steps, and formula values for all of them, that are looked at.
+/// Load steps, and values of a formula of the place for all of them, that are looked at for a remark.
 constexpr int most_steps = 10000;
-constexpr double most_values = 1e8;
+constexpr double most_values = 2e6;
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -40,6 +40,7 @@ struct Boundary::LoadHistory {
   const Boundary& boundary;
   const Entry& entry;
   std::size_t component;
+  std::size_t stride = 1;  ///< every so-many-th particle of this rank's set is looked at
 
   bool changes() const {
     if (entry.load->kind == deck::LoadKind::velocity) return false;
@@ -55,14 +56,16 @@ struct Boundary::LoadHistory {
     const auto d = static_cast<std::size_t>(body.dimension);
     std::vector<double> values;
     if (entry.table) {
-      values.resize(entry.set->size() * d);
-      for (std::size_t k = 0; k < entry.set->size(); ++k) entry.table->evaluate(k, t, &values[k * d]);
+      for (std::size_t k = 0; k < entry.set->size(); k += stride) {
+        values.resize(values.size() + d);
+        entry.table->evaluate(k, t, values.data() + values.size() - d);
+      }
       return values;
     }
     const deck::Expression& formula = *entry.load->component[component];
     if (uniform()) return {formula(0, 0, 0, t)};
-    for (const LocalIndex i : *entry.set) {
-      const deck::Point x = body.position3(i);
+    for (std::size_t k = 0; k < entry.set->size(); k += stride) {
+      const deck::Point x = body.position3((*entry.set)[k]);
       values.push_back(formula(x[0], x[1], x[2], t));
     }
     return values;
@@ -152,9 +155,11 @@ std::optional<double> Boundary::first_reversal(double from, double to, bool as_i
 void Boundary::remark_on_reversals(const deck::Steps& steps) {
   if (steps.count > most_steps) return;
   const double each = static_cast<double>(parts) * steps.count;
-  for (const LoadHistory& load : changing_loads()) {
-    const auto here = static_cast<long long>(load.entry.set->size());
-    if (!load.uniform() && each * static_cast<double>(scene_.body().communicator.sum(here)) > most_values) continue;
+  for (LoadHistory load : changing_loads()) {
+    if (!load.uniform()) {
+      const auto particles = static_cast<double>(load.entry.set->size());
+      load.stride = static_cast<std::size_t>(std::ceil(std::max(1.0, each * particles / most_values)));
+    }
     int found = 0;
     double first = 0, begin = 0, end = 0, missed = 0;
     for (int k = 0; k < steps.count; ++k) {

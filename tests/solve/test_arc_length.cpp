@@ -275,7 +275,7 @@ TEST(ArcLength, AStepEndsWhereTheLoadTurnsBack) {
 }
 
 TEST(ArcLength, ThroughManyTurnsOfTheLoad) {
-  for (const std::string& load : {"2*sin(2*pi*t)", "4/pi*asin(sin(2*pi*t))"}) {
+  for (const char* load : {"2*sin(2*pi*t)", "4/pi*asin(sin(2*pi*t))"}) {
     const RunResult given = run_deck(deck_of(hardening_bar(load, "{end: 2, count: 80}")));
     ASSERT_EQ(given.stopped, "") << load;
     const RunResult run = run_deck(deck_of(hardening_bar(load, "{end: 2, count: 32, control: arc-length}")));

@@ -39,7 +39,7 @@ struct Loose : Plate {
 
 TEST(LoosePieces, NothingIsLooseBeforeAnythingBreaks) {
   Loose plate;
-  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {}, no_loads);
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {}, plate.no_loads);
   EXPECT_EQ(plate.count(found), 0);
   EXPECT_EQ(found.broken, 0);
   EXPECT_TRUE(found.sentences.empty());
@@ -49,7 +49,7 @@ TEST(LoosePieces, AParticleWithoutBonds) {
   Loose plate;
   const LocalIndex lone = plate.at(5.5, 8.5);
   plate.scene.break_bonds(test::bonds_of(plate.scene, lone));
-  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {}, no_loads);
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {}, plate.no_loads);
   EXPECT_EQ(plate.count(found), 1);
   EXPECT_TRUE(found.loose[lone]);
   EXPECT_EQ(found.broken, 0);
@@ -57,7 +57,7 @@ TEST(LoosePieces, AParticleWithoutBonds) {
   EXPECT_THAT(found.sentences[0], HasSubstr("1 single particles have lost all their bonds"));
   // Once let go it is told no more.
   plate.boundary.let_go(found.loose);
-  const solve::LoosePieces again = find_loose(plate.scene, plate.boundary, {}, no_loads);
+  const solve::LoosePieces again = find_loose(plate.scene, plate.boundary, {}, plate.no_loads);
   EXPECT_EQ(plate.count(again), 0);
   EXPECT_TRUE(again.sentences.empty());
 }
@@ -70,7 +70,7 @@ TEST(LoosePieces, AParticleThatHangsOnOneLine) {
     return of_it && a[1] != b[1];  // six bonds along x are left
   });
   ASSERT_EQ(plate.scene.families().size[hanging], 6);
-  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {}, no_loads);
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {}, plate.no_loads);
   EXPECT_EQ(found.broken, 6);
   EXPECT_EQ(plate.scene.families().size[hanging], 0);
   EXPECT_EQ(plate.count(found), 1);
@@ -81,7 +81,7 @@ TEST(LoosePieces, AFragment) {
   Loose plate;
   const auto inside = [](const double* x) { return x[0] > 4 && x[0] < 8 && x[1] > 6 && x[1] < 9; };
   plate.cut([&](const double* a, const double* b) { return inside(a) != inside(b); });
-  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {}, no_loads);
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {}, plate.no_loads);
   EXPECT_EQ(plate.count(found), 12);
   EXPECT_EQ(found.broken, 0);
   for (LocalIndex i = 0; i < plate.scene.owned(); ++i)
@@ -96,7 +96,7 @@ TEST(LoosePieces, APieceOnAHingeStays) {
   const LocalIndex hinge = plate.at(5.5, 5.5);
   const double* middle = plate.scene.body().position(hinge);
   plate.cut([&](const double* a, const double* b) { return (a[1] < 6) != (b[1] < 6) && a != middle && b != middle; });
-  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {}, no_loads);
+  const solve::LoosePieces found = find_loose(plate.scene, plate.boundary, {}, plate.no_loads);
   EXPECT_EQ(plate.count(found), 0);
   EXPECT_EQ(found.broken, 0);
 }

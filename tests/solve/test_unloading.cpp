@@ -70,7 +70,9 @@ void expect_nothing_left(const deck::Deck& deck, const std::string& name) {
     EXPECT_LE(step.newton_iterations, 12) << "step " << step.step;
   }
   // The way through nothing has left no trace in what comes after it: a quarter of the load stores a sixteenth.
-  if (deck.small_strain) EXPECT_NEAR(run.records.steps[3].stored_energy / most, 1.0 / 16, 1e-8);
+  if (deck.small_strain) {
+    EXPECT_NEAR(run.records.steps[3].stored_energy / most, 1.0 / 16, 1e-8);
+  }
 }
 
 TEST(Unloading, EverySceneAndDeformation) {
