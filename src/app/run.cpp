@@ -54,12 +54,6 @@ std::string remark_on(double gap, const mechanics::Scene& scene, const solve::En
              : "";
 }
 
-/// What of the external work is neither stored nor dissipated, over the largest of the three.
-double unaccounted(const solve::Energies& e) {
-  const double size = std::max({std::abs(e.external_work), std::abs(e.stored), std::abs(e.dissipated)});
-  return size > 0 ? (e.external_work - e.stored - e.dissipated - e.released - e.relaxed - e.damped) / size : 0;
-}
-
 /// Directory of the results: --output, or where the checkpoint lies, or results/<deck's name>.
 std::string directory_of(const Options& options, const std::optional<Restart>& from) {
   if (!options.output.empty()) return options.output;
@@ -126,12 +120,11 @@ int run_in_time(Problem& problem, const Options& options, const Communicator& co
   if (communicator.is_root() && !remark.empty()) fmt::print(stderr, "warning: {}\n", remark);
   run_into(stepper, problem, options, communicator, from, begin);
   const solve::MotionEnergies& e = stepper.energies();
-  const double gain = e.scale() > 0 ? e.gain() / e.scale() : 0;
   if (communicator.is_root() && !options.quiet)
     fmt::print(
         "done: kinetic {:.6g}, stored {:.6g}, dissipated {:.6g}, damped {:.6g}, released {:.6g}, in contacts {:.6g}, "
         "external work {:.6g} ({:+.1e} of the largest not accounted for, {:.1e} at worst); results in {}\n",
-        e.kinetic, e.stored, e.dissipated, e.damped, e.released, e.contact, e.external_work, -gain,
+        e.kinetic, e.stored, e.dissipated, e.damped, e.released, e.contact, e.external_work, -stepper.unaccounted(),
         stepper.worst_gain(), directory_of(options, from));
   if (communicator.is_root() && stepper.worst_gain() > worth_a_warning_in_time)
     fmt::print(stderr,
@@ -158,11 +151,11 @@ int run(const Options& options, const Communicator& communicator) {
   }
   run_into(stepper, problem, options, communicator, from, begin);
   const solve::Energies& e = stepper.energies();
-  const double gap = unaccounted(e);
+  const double gap = e.unaccounted();
   if (communicator.is_root() && !options.quiet)
     fmt::print(
-        "done: stored {:.6g}, dissipated {:.6g}, external work {:.6g} ({:+.1e} of it not accounted for); results in "
-        "{}\n",
+        "done: stored {:.6g}, dissipated {:.6g}, external work {:.6g} ({:+.1e} of the largest not accounted for); "
+        "results in {}\n",
         e.stored, e.dissipated, e.external_work, gap, directory_of(options, from));
   const std::string remark = remark_on(gap, problem.scene, e);
   if (communicator.is_root() && !remark.empty()) fmt::print(stderr, "warning: {}\n", remark);

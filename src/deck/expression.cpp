@@ -14,7 +14,7 @@ namespace perinox::deck {
 struct Expression::Compiled {
   double x = 0, y = 0, z = 0, t = 0;
   mu::Parser parser;
-  bool uses_time = false;
+  bool uses_time = false, uses_position = false;
 
   Compiled() {
     parser.ClearConst();
@@ -176,7 +176,9 @@ Expression::Expression(std::string formula, const Location& where) : text_(std::
   try {
     compiled->parser.SetExpr(text_);
     compiled->parser.Eval();
-    compiled->uses_time = compiled->parser.GetUsedVar().count("t") > 0;
+    const auto& used = compiled->parser.GetUsedVar();
+    compiled->uses_time = used.count("t") > 0;
+    compiled->uses_position = used.count("x") + used.count("y") + used.count("z") > 0;
   } catch (const mu::ParserError& error) {
     const auto position = error.GetPos() < 0 ? text_.size() : static_cast<std::size_t>(error.GetPos());
     refuse_formula(where, text_, std::min(position, text_.size()), reason(error));
@@ -194,5 +196,6 @@ double Expression::operator()(double x, double y, double z, double t) const {
 }
 
 bool Expression::uses_time() const { return compiled_ && compiled_->uses_time; }
+bool Expression::uses_position() const { return compiled_ && compiled_->uses_position; }
 
 }  // namespace perinox::deck

@@ -189,6 +189,10 @@ void RunWriter::phase_ended(const solve::MotionPhase& phase) {
   files_->phases = phase.number;
 }
 
+void RunWriter::moves(const solve::MotionMoment& moment) {
+  if (files_->terminal) files_->terminal->moves(moment);
+}
+
 void RunWriter::note(const std::string& sentence) {
   if (files_->terminal) files_->terminal->say("  " + sentence);
 }

@@ -12,7 +12,9 @@ namespace perinox::output {
 namespace {
 constexpr const char* erase_line = "\r\033[K";
 
-std::string plural(long long count, const char* noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
+std::string plural(long long count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
 }  // namespace
 
 bool screen_is_watched() {
@@ -68,6 +70,18 @@ void Terminal::bonds_broken(const solve::BreakingPass& pass) {
 
 void Terminal::phase_begins(const solve::MotionPhase& phase) {
   print(fmt::format("  goes on in time from t = {:.6g}: {}\n", phase.t_begin, phase.reason));
+  last_ = Clock::now();
+}
+
+void Terminal::moves(const solve::MotionMoment& moment) {
+  const auto now = Clock::now();
+  if (std::chrono::duration<double>(now - last_).count() < seconds_between_moments_) return;
+  last_ = now;
+  print(
+      fmt::format("  in motion at t = {:.6g}, time {:.6g}, {} time steps: kinetic {:.4g}, stored {:.4g}, damped "
+                  "{:.4g}, {}\n",
+                  moment.t, moment.time, moment.time_steps, moment.kinetic_energy, moment.stored_energy,
+                  moment.damped_energy, plural(moment.broken_bonds, "broken bond")));
 }
 
 void Terminal::phase_ended(const solve::MotionPhase& phase) {
@@ -79,6 +93,7 @@ void Terminal::phase_ended(const solve::MotionPhase& phase) {
 }
 
 void Terminal::step_committed(const solve::StepRecord& record) {
+  last_ = Clock::now();
   const std::string left = record.last ? "" : fmt::format(", about {} left", duration(record.remaining_seconds));
   end_ = fmt::format(" of {:.6g}", record.end);
   time_left_ = record.last ? "" : fmt::format("  about {} left", duration(record.remaining_seconds));

@@ -40,9 +40,11 @@ ArcLength::ArcLength(const deck::Deck& deck, const mechanics::Scene& scene, cons
     : deck_(deck),
       settings_(deck.arc_length),
       scene_(scene),
+      boundary_(boundary),
       newton_(newton),
       bordered_(deck, scene, boundary, newton.system()),
-      first_load_(deck.steps.end / deck.steps.count) {
+      first_load_(deck.steps.end / deck.steps.count),
+      start_load_(first_load_) {
   const Communicator& ranks = scene.body().communicator;
   norm_.ranks = &ranks;
   if (boundary.free_count() == 0)
@@ -99,42 +101,84 @@ std::pair<double, ArcLength::End> ArcLength::passed(const PathPoint& origin, con
   return first;
 }
 
-NewtonResult ArcLength::attempt(const mechanics::Committed& committed, int step, Observer& observer,
-                                mechanics::Trial& trial, std::vector<double>& force) {
-  const PathPoint origin = committed_point(committed);
-  PathPoint point = origin;
-  NewtonResult result;
+NewtonResult ArcLength::solve_on_path(const mechanics::Committed& committed, const PathConstraint& constraint, int step,
+                                      Observer& observer, PathPoint& point, mechanics::Trial& trial,
+                                      std::vector<double>& force) {
   const int most = std::min(deck_.solver.newton.max_iterations, slow * settings_.wanted_iterations);
-  const auto solve = [&](const PathConstraint& constraint) {
-    const NewtonResult one = bordered_.solve(committed, point, constraint, most, step, observer, trial, force);
-    result.converged = one.converged;
-    result.reason = one.reason;
-    result.newton_iterations += one.newton_iterations;
-    result.linear_iterations += one.linear_iterations;
-    tried_ = point.t;
-    if (bordered_.indefinite() == indefinite_) return;
+  const NewtonResult result = bordered_.solve(committed, point, constraint, most, step, observer, trial, force);
+  tried_ = point.t;
+  if (bordered_.indefinite() != indefinite_) {
     indefinite_ = bordered_.indefinite();
     observer.note(fmt::format("step {}, t = {:.6g}: {}", step, tried_,
                               indefinite_ ? "the tangent is not positive definite; GMRES takes over"
                                           : "conjugate gradients take over again"));
-  };
-  if (arc_ == 0) {
-    tried_ = first_load_;
-    result = newton_.solve(committed, first_load_, step, {}, observer, trial, force);
-    if (result.converged) {
-      std::copy_n(trial.displacement.begin(), point.displacement.size(), point.displacement.begin());
-      point.t = trial.t;
-    }
-  } else {
+  }
+  return result;
+}
+
+NewtonResult ArcLength::solve_at(double t, const mechanics::Committed& committed, int step, Observer& observer,
+                                 PathPoint& point, mechanics::Trial& trial, std::vector<double>& force) {
+  tried_ = t;
+  NewtonResult result = newton_.solve(committed, t, step, {}, observer, trial, force);
+  if (result.converged) {
+    std::copy_n(trial.displacement.begin(), point.displacement.size(), point.displacement.begin());
+    point.t = t;
+  } else if (result.failure == Failure::negative_curvature) {  // beyond a limit point
+    point.t = t;
+    result = solve_on_path(committed, FixedLoad(t, first_load_), step, observer, point, trial, force);
+  }
+  return result;
+}
+
+NewtonResult ArcLength::advance(const mechanics::Committed& committed, const PathPoint& origin, int step,
+                                Observer& observer, PathPoint& point, mechanics::Trial& trial,
+                                std::vector<double>& force) {
+  turned_ = false;
+  NewtonResult result;
+  std::optional<double> turn;
+  if (!starting_) {
     result = predict(committed, origin, point);
     tried_ = point.t;
     if (!result.converged) return result;
-    solve(FixedArc(norm_, origin, arc_));
+    turn = boundary_.first_reversal(origin.t, point.t, true);
+    // The last step has ended where a load turns back, as well as it can be told.
+    if (turn && std::abs(*turn - origin.t) <= 1e-5 * std::abs(point.t - origin.t)) {
+      turn.reset();
+      starting_ = true;
+      point = origin;
+    }
   }
+  if (starting_)
+    result =
+        solve_at(origin.t + (forward_ ? start_load_ : -start_load_), committed, step, observer, point, trial, force);
+  else if (!turn)
+    result = solve_on_path(committed, FixedArc(norm_, origin, arc_), step, observer, point, trial, force);
+  if (!result.converged) return result;
+  if (!turn) turn = boundary_.first_reversal(origin.t, point.t, false);
+  if (!turn || *turn == point.t) return result;
+  observer.note(fmt::format("step {}: a load turns back at t = {:.6g}, and the step ends there", step, *turn));
+  turned_ = true;
+  const double share = (*turn - origin.t) / (point.t - origin.t);
+  point = along(origin, share, along(point, -1, origin));
+  point.t = *turn;
+  const NewtonResult there =
+      solve_on_path(committed, FixedLoad(*turn, first_load_), step, observer, point, trial, force);
+  result.converged = there.converged;
+  result.reason = there.reason;
+  result.newton_iterations += there.newton_iterations;
+  result.linear_iterations += there.linear_iterations;
+  return result;
+}
+
+NewtonResult ArcLength::attempt(const mechanics::Committed& committed, int step, Observer& observer,
+                                mechanics::Trial& trial, std::vector<double>& force) {
+  const PathPoint origin = committed_point(committed);
+  PathPoint point = origin;
+  NewtonResult result = advance(committed, origin, step, observer, point, trial, force);
   if (!result.converged) return result;
   iterations_ = result.newton_iterations;
   increment_ = along(point, -1, origin);
-  if (arc_ > 0) {
+  if (!starting_) {
     const double cosine =
         norm_.product(increment_, last_increment_) / (norm_.of(increment_) * norm_.of(last_increment_));
     if (!(cosine > 0)) {
@@ -148,17 +192,20 @@ NewtonResult ArcLength::attempt(const mechanics::Committed& committed, int step,
   const auto [share, end] = passed(origin, point);
   landed_ = end != End::none;
   if (!landed_) return result;
+  turned_ = false;
   point = along(origin, share, increment_);
-  if (end == End::load) {
-    point.t = deck_.steps.end;
-    solve(FixedLoad(deck_.steps.end, first_load_));
-  } else {
-    solve(*until_);
-  }
+  if (end == End::load) point.t = deck_.steps.end;
+  const FixedLoad end_of_loads(deck_.steps.end, first_load_);
+  const PathConstraint& constraint = end == End::load ? static_cast<const PathConstraint&>(end_of_loads) : *until_;
+  const NewtonResult last = solve_on_path(committed, constraint, step, observer, point, trial, force);
+  result.converged = last.converged;
+  result.reason = last.reason;
+  result.newton_iterations += last.newton_iterations;
+  result.linear_iterations += last.linear_iterations;
   return result;
 }
 
-void ArcLength::accept(const mechanics::Committed&, const mechanics::Trial& trial) {
+void ArcLength::accept(const mechanics::Committed& committed, const mechanics::Trial& trial) {
   ++steps_;
   ended_ = landed_;
   if (until_) reached_ = until_->mean(trial.displacement);
@@ -167,8 +214,14 @@ void ArcLength::accept(const mechanics::Committed&, const mechanics::Trial& tria
     arc_ = 1;
     longest_ = settings_.largest_growth * std::pow(2, cuts_);
     shortest_ = std::pow(0.5, deck_.steps.max_cuts - cuts_);
+  } else if (starting_) {
+    arc_ = std::clamp(norm_.of(increment_), shortest_, longest_);
   }
   last_increment_ = std::move(increment_);
+  forward_ = trial.t > committed.t();
+  starting_ = turned_;
+  start_load_ = first_load_;
+  cuts_ = 0;
   if (!deck_.steps.adaptive) return;
   const double growth = std::sqrt(static_cast<double>(settings_.wanted_iterations) / std::max(1, iterations_));
   arc_ = std::clamp(arc_ * std::clamp(growth, 0.5, 2.0), shortest_, longest_);
@@ -176,10 +229,11 @@ void ArcLength::accept(const mechanics::Committed&, const mechanics::Trial& tria
 
 bool ArcLength::cut() {
   if (!deck_.steps.adaptive) return false;
-  if (arc_ == 0) {
+  if (starting_) {
     if (cuts_ >= deck_.steps.max_cuts) return false;
     ++cuts_;
-    first_load_ /= 2;
+    start_load_ /= 2;
+    if (arc_ == 0) first_load_ = start_load_;
     return true;
   }
   if (arc_ <= shortest_) return false;

@@ -27,7 +27,7 @@ struct BorderedNewton::Parts {
         scene(scene_),
         boundary(boundary_),
         system(system_),
-        model(rcp(new EquilibriumModel(scene_, boundary_, system_))),
+        model(rcp(new EquilibriumModel(scene_, boundary_, system_, deck_.solver.newton))),
         unknowns(scene_.owned_unknowns()),
         factory(belos_factory(deck_.solver.linear, system_.symmetric())),
         may_fall_back(deck_.solver.linear.method == deck::LinearMethod::automatic && system_.symmetric()),
@@ -132,17 +132,28 @@ std::string BorderedNewton::Parts::differentiate(double t, std::vector<double>& 
     boundary.impose(load, displacements.data());
   };
   std::vector<double> force_below, displacement_below;
-  // Where a formula holds on one side only (sqrt(t) at 0) the difference over that side.
+  // Where a formula holds on one side only (sqrt(t) at 0), or the loads turn back, the difference over a side.
+  bool finite = false;
   for (const auto& [below, above] : {std::pair{t - h, t + h}, std::pair{t, t + h}, std::pair{t - h, t}}) {
     at(below, force_below, displacement_below);
     at(above, force, displacement);
     double check = 0;
+    bool moves = false;  // by more than rounding: about a peak the two sides may cancel
+    const auto differ = [](double a, double b) { return std::abs(a - b) > 1e-12 * std::max(std::abs(a), std::abs(b)); };
     for (std::size_t u = 0; u < unknowns; ++u) {
+      moves = moves || differ(force[u], force_below[u]) || differ(displacement[u], displacement_below[u]);
       force[u] = (force[u] - force_below[u]) / (above - below);
       displacement[u] = (displacement[u] - displacement_below[u]) / (above - below);
       check += force[u] + displacement[u];
     }
-    if (!scene.body().communicator.any(!std::isfinite(check))) return "";
+    if (scene.body().communicator.any(!std::isfinite(check))) continue;
+    finite = true;
+    if (scene.body().communicator.any(moves)) return "";
+  }
+  if (finite) {  // they do not change
+    force.assign(unknowns, 0.0);
+    displacement.assign(unknowns, 0.0);
+    return "";
   }
   return fmt::format("the loads have no derivative with t at t = {:g}", t);
 }
@@ -203,7 +214,7 @@ NewtonResult BorderedNewton::rate(const mechanics::Committed& committed, PathPoi
 
 double BorderedNewton::relative_residual(const mechanics::Committed& committed, const PathPoint& point) {
   const ForceBalance& balance = parts_->evaluate(committed, point);
-  return balance.finite ? balance.relative() : std::numeric_limits<double>::infinity();
+  return balance.finite ? parts_->model->relative_residual() : std::numeric_limits<double>::infinity();
 }
 
 LinearOutcome BorderedNewton::Parts::direction(const PathPoint& at, const PathConstraint& constraint, double forcing,
@@ -264,7 +275,7 @@ NewtonResult BorderedNewton::solve(const mechanics::Committed& committed, PathPo
     const ForceBalance& balance = p.model->balance();
     row.t = point.t;
     row.residual = balance.residual;
-    row.relative_residual = balance.relative();
+    row.relative_residual = p.model->relative_residual();
     result.newton_iterations = row.iteration;
     observer.newton_iteration(row);
     if (!balance.finite) {

@@ -96,6 +96,14 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
       first_not_finite(deck.steps.count > 0 ? deck.steps.end / deck.steps.count : deck.steps.end));
   scene_.body().communicator.agree_on_input_error(first_not_finite(deck.steps.end));
   keep_steady_values();
+  const auto remembers = [](const auto& material) {
+    const materials::HistoryLayout layout = material->history();
+    return !layout.point.empty() || layout.per_bond > 0;
+  };
+  const auto& materials = scene.materials();
+  if (deck.dynamics == deck::Dynamics::quasi_static && deck.steps.control == deck::Control::load &&
+      (deck.breaks() || std::any_of(materials.begin(), materials.end(), remembers)))
+    remark_on_reversals(deck.steps);
 }
 
 void Boundary::keep_steady_values() {
@@ -174,6 +182,7 @@ void Boundary::impose(double t, double* displacement) const {
     if (entry.load->kind != deck::LoadKind::displacement) continue;
     for (std::size_t k = 0; k < entry.set->size(); ++k) {
       const LocalIndex i = (*entry.set)[k];
+      if (!loose_.empty() && loose_[i]) continue;
       double* u = displacement + static_cast<std::size_t>(i) * d;
       if (entry.table) {
         entry.table->evaluate(k, t, u);
@@ -193,7 +202,7 @@ void Boundary::impose_velocity(double t, double* velocity) const {
     for (std::size_t k = 0; k < entry.set->size(); ++k)
       for (std::size_t c = 0; c < d; ++c) {
         const std::size_t u = static_cast<std::size_t>((*entry.set)[k]) * d + c;
-        if (entry.load->component[c] && driven_by_velocity_[u])
+        if (entry.load->component[c] && driven_by_velocity_[u] && (loose_.empty() || !loose_[u / d]))
           velocity[u] = value_of(entry, static_cast<int>(c), k, t);
       }
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "perinox/solve/energy_scale.hpp"
 #include "perinox/solve/hand_over.hpp"
 #include "perinox/solve/load_stepper.hpp"
 #include "perinox/solve/loose_pieces.hpp"
@@ -123,7 +124,8 @@ std::string LoadStepper::finish_motion(Observer& observer, NewtonResult& total) 
     row.damped_energy = e.damped + e.kinetic + e.contact;
     row.most_kinetic_energy = result.most_kinetic;
     row.unaccounted_energy = e.gain();
-    row.unaccounted_share = e.scale() > 0 ? e.gain() / e.scale() : 0;
+    const double scale = std::max(e.scale(), energy_of_rounding(scene_, committed_.displacement(), boundary_.loose()));
+    row.unaccounted_share = scale > 0 ? e.gain() / scale : 0;
     observer.phase_ended(row);
     if (!result.at_rest) return result.reason;
     newton_.bonds_changed(true);
@@ -156,7 +158,7 @@ std::string LoadStepper::finish_motion(Observer& observer, NewtonResult& total) 
 }
 
 bool LoadStepper::let_loose_go(Observer& observer) {
-  const LoosePieces found = find_loose(scene_, boundary_, committed_.plastic());
+  const LoosePieces found = find_loose(scene_, boundary_, committed_.plastic(), {external_, external_});
   breaking_->count_also(found);
   for (const std::string& sentence : found.sentences) observer.note(sentence);
   if (!scene_.body().communicator.any(std::any_of(found.loose.begin(), found.loose.end(), [](char c) { return c; })))

@@ -60,7 +60,7 @@ NewtonResult EnergyDescent::run(const mechanics::Committed& committed, const std
     row.t = t;
     row.iteration = iteration;
     row.residual = balance.residual;
-    row.relative_residual = balance.relative();
+    row.relative_residual = model_.relative_residual();
     row.update = update;
     row.linear_iterations = iterations;
     row.forcing = solver_.linear.tolerance;
@@ -71,7 +71,7 @@ NewtonResult EnergyDescent::run(const mechanics::Committed& committed, const std
     system_.update(committed, x.data());
     system_.update_preconditioner();
     const bool in_balance =
-        balance.relative() <= solver_.newton.tolerance || balance.residual <= model_.rounding_floor();
+        row.relative_residual <= solver_.newton.tolerance || balance.residual <= model_.rounding_floor();
     {
       const auto values = right->getLocalViewHost(Tpetra::Access::OverwriteAll);
       for (std::size_t u = 0; u < unknowns; ++u)
@@ -143,8 +143,8 @@ NewtonResult EnergyDescent::run(const mechanics::Committed& committed, const std
     shift = length < 1 ? 4 * shift : shift <= smallest_shift ? 0 : shift / 10;
   }
   result.failure = Failure::no_progress;
-  result.reason =
-      fmt::format("going down in energy has found no equilibrium (relative residual {:.2e})", balance.relative());
+  result.reason = fmt::format("going down in energy has found no equilibrium (relative residual {:.2e})",
+                              model_.relative_residual());
   return result;
 }
 

@@ -14,16 +14,12 @@ namespace {
 using Converter = Thyra::TpetraOperatorVectorExtraction<double, LocalIndex, GlobalId>;
 }
 
-double ForceBalance::relative() const {
-  const double scale = std::max(reaction, external);
-  if (scale > 0) return residual / scale;
-  return residual > 0 ? std::numeric_limits<double>::infinity() : 0;
-}
-
-EquilibriumModel::EquilibriumModel(const mechanics::Scene& scene, const Boundary& boundary, TangentSystem& system)
+EquilibriumModel::EquilibriumModel(const mechanics::Scene& scene, const Boundary& boundary, TangentSystem& system,
+                                   const deck::Newton& settings)
     : scene_(scene),
       boundary_(boundary),
       system_(system),
+      settings_(settings),
       reach_(body::diagonal(scene.body()) * std::sqrt(static_cast<double>(scene.body().total))),
       space_(Thyra::createVectorSpace<double, LocalIndex, GlobalId>(system.map())),
       force_(scene.owned_unknowns()) {}
@@ -33,6 +29,14 @@ void EquilibriumModel::set_step(const mechanics::Committed& committed, const std
   external_ = &external;
   t_ = t;
   evaluated_ = false;
+  double square = 0;
+  for (std::size_t u = 0; u < force_.size(); ++u)
+    if (!loose(u)) square += committed.displacement()[u] * committed.displacement()[u];
+  start_ = std::sqrt(scene_.body().communicator.sum(square));
+}
+
+bool EquilibriumModel::loose(std::size_t u) const {
+  return !boundary_.loose().empty() && boundary_.loose()[u / static_cast<std::size_t>(scene_.dimension())] != 0;
 }
 
 const ForceBalance& EquilibriumModel::evaluate(const double* displacement) const {
@@ -47,6 +51,7 @@ const ForceBalance& EquilibriumModel::evaluate(const double* displacement) const
   trial_.t = t_;
   std::vector<double> squares(4, 0.0);
   for (std::size_t u = 0; u < force_.size(); ++u) {
+    if (loose(u)) continue;
     const double sum = force_[u] + (*external_)[u];
     squares[boundary_.prescribed()[u] ? 1 : 0] += sum * sum;
     squares[2] += (*external_)[u] * (*external_)[u];
@@ -65,8 +70,15 @@ std::string EquilibriumModel::not_finite() const {
 }
 
 double EquilibriumModel::rounding_floor() const {
-  return 64 * std::numeric_limits<double>::epsilon() * system_.stiffness_scale() *
-         std::min(balance_.displacement, reach_);
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const double displacement = std::min(std::max(balance_.displacement, start_), reach_);
+  return 64 * epsilon * system_.stiffness_scale() * std::max(displacement, epsilon * reach_);
+}
+
+double EquilibriumModel::relative_residual() const {
+  if (balance_.residual == 0) return 0;
+  const double scale = std::max({balance_.reaction, balance_.external, rounding_floor() / settings_.tolerance});
+  return scale > 0 ? balance_.residual / scale : std::numeric_limits<double>::infinity();
 }
 
 Thyra::ModelEvaluatorBase::InArgs<double> EquilibriumModel::createInArgs() const {

@@ -66,7 +66,7 @@ NewtonIteration EquilibriumTest::describe(const NOX::Solver::Generic& solver) {
   const ForceBalance& balance = model_.evaluate(x.data());
   finite_ = balance.finite;
   row.residual = balance.residual;
-  row.relative_residual = balance.relative();
+  row.relative_residual = model_.relative_residual();
   if (row.iteration == 0) return row;
 
   const std::vector<double> before = values_of(solver.getPreviousSolutionGroup().getX());

@@ -58,6 +58,7 @@ ExplicitMotion::ExplicitMotion(const mechanics::Scene& scene, const Boundary& bo
 
 void ExplicitMotion::find_held() {
   held_.clear();
+  let_go_ = boundary_.loose();
   for (std::size_t u = 0; u < scene_.owned_unknowns(); ++u)
     if (prescribed(u)) held_.push_back(u);
   held_displacement_.resize(held_.size());
@@ -68,8 +69,8 @@ void ExplicitMotion::find_held() {
 void ExplicitMotion::supports_have_changed() {
   const auto d = static_cast<std::size_t>(scene_.dimension());
   std::vector<char> newly = boundary_.loose();
-  for (const std::size_t u : held_)
-    if (!newly.empty()) newly[u / d] = 0;
+  for (std::size_t i = 0; i < let_go_.size(); ++i)
+    if (let_go_[i]) newly[i] = 0;
   damped_ -= lag(masses_, acceleration_, d, last_step_);
   for (std::size_t u = 0; u < velocity_.size() && !newly.empty(); ++u) {
     if (!newly[u / d]) continue;

@@ -115,6 +115,8 @@ HandOver::Result HandOver::run(mechanics::Committed& state, Observer& observer, 
     const MotionEnergies now = motion_->energies();
     most_stored_ = std::max(most_stored_, std::max(now.stored, now.at_start));
     result_.most_kinetic = std::max(result_.most_kinetic, now.kinetic);
+    observer.moves(
+        {motion_->t(), motion_->time(), motion_->time_steps(), now.kinetic, now.stored, now.damped, result_.broken});
     if (!motion_->sound(now)) {
       result_.reason = "the energies of the motion grow though nothing does that work; take a smaller explicit.safety";
       break;
@@ -154,7 +156,7 @@ long long HandOver::break_bonds() {
 
 bool HandOver::let_loose_go(Observer& observer) {
   if (!breaking_) return false;
-  const LoosePieces found = find_loose(scene_, boundary_, motion_->plastic());
+  const LoosePieces found = find_loose(scene_, boundary_, motion_->plastic(), {motion_->loads(), motion_->external()});
   breaking_->count_also(found);
   for (const std::string& sentence : found.sentences) observer.note(sentence);
   const bool any = scene_.body().communicator.any(

@@ -11,6 +11,7 @@
 #include "perinox/core/error.hpp"
 #include "perinox/mechanics/path_work.hpp"
 #include "perinox/solve/arc_length.hpp"
+#include "perinox/solve/energy_scale.hpp"
 #include "perinox/solve/loose_pieces.hpp"
 
 namespace perinox::solve {
@@ -206,8 +207,15 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force, 
   stored_energy_ = std::move(trial.stored_energy);
   committed_.advance(scene_, std::move(trial));
   if (path) energies_.external_work += ranks.sum(path->beyond_chord(scene_, committed_));
+  raise_energy_scale();
   force_ = std::move(force);
   external_ = std::move(external);
+}
+
+void LoadStepper::raise_energy_scale() {
+  energies_.scale = std::max({energies_.scale, std::abs(energies_.external_work), std::abs(energies_.stored),
+                              std::abs(energies_.dissipated),
+                              energy_of_rounding(scene_, committed_.displacement(), boundary_.loose())});
 }
 
 StepRecord LoadStepper::record(const NewtonResult& result, bool written) {
@@ -224,7 +232,9 @@ StepRecord LoadStepper::record(const NewtonResult& result, bool written) {
   row.motion = motion_;
   if (row.motion) row.motion->damped_energy = energies_.damped;
   row.end = deck_.steps.end;
-  records_.fill({committed_, force_.data(), external_.data(), dilatation_.data(), stored_energy_.data()}, written, row);
+  records_.fill(
+      {committed_, force_.data(), external_.data(), dilatation_.data(), stored_energy_.data(), boundary_.loose()},
+      written, row);
   return row;
 }
 

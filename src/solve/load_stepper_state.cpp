@@ -1,6 +1,7 @@
 /// What a run carries from one step to the next, on its way to a checkpoint and back.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "perinox/core/restored.hpp"
@@ -114,6 +115,7 @@ void LoadStepper::save(StateWriter& writer) const {
   writer.number("stepper/stored_energy", energies_.stored);
   writer.number("stepper/dissipated_energy", energies_.dissipated);
   writer.number("stepper/external_work", energies_.external_work);
+  writer.number("stepper/energy_scale", energies_.scale);
   writer.integer("stepper/newton_iterations", last_result_.newton_iterations);
   writer.integer("stepper/linear_iterations", last_result_.linear_iterations);
   writer.particles("stepper/force", force_.data(), scene_.dimension());
@@ -142,6 +144,9 @@ void LoadStepper::restore(StateReader& reader) {
   energies_.stored = reader.number("stepper/stored_energy");
   energies_.dissipated = reader.number("stepper/dissipated_energy");
   energies_.external_work = reader.number("stepper/external_work");
+  energies_.scale =
+      std::max({std::abs(energies_.external_work), std::abs(energies_.stored), std::abs(energies_.dissipated)});
+  if (reader.has("stepper/energy_scale")) energies_.scale = restored_number(reader, "stepper/energy_scale", 0);
   last_result_.converged = true;
   last_result_.newton_iterations = count("stepper/newton_iterations");
   last_result_.linear_iterations = count("stepper/linear_iterations");

@@ -7,6 +7,7 @@
 
 #include "perinox/bonds/components.hpp"
 #include "perinox/solve/each_bond.hpp"
+#include "perinox/solve/rigid_modes.hpp"
 
 namespace perinox::solve {
 
@@ -18,6 +19,9 @@ constexpr double least_resistance = 1e-3;
 constexpr double much_damage = 0.5;
 /// Single pieces named in the log; the others are counted.
 constexpr int most_named = 3;
+/// Loads push a piece along a motion where their power is more than this share of what it would be, did they all point
+/// that way: in between is what rounding leaves of loads that balance.
+constexpr double least_push = 1e-9;
 
 /// Marks [local] the particles whose families hold them against less than every motion.
 std::vector<double> find_hanging(const mechanics::Scene& scene) {
@@ -65,6 +69,55 @@ long long cut_hanging(mechanics::Scene& scene, const mechanics::PlasticExtension
   return scene.body().communicator.sum(counted);
 }
 
+/// The pieces that the supports hold in part, and that their loads push along a motion left free. touched: [count] more
+/// than 0 where some displacement of a piece that is not out yet is prescribed. Collective.
+std::vector<FreePiece> find_pushed(const mechanics::Scene& scene, const Boundary& boundary,
+                                   const bonds::Components& components, const std::vector<double>& touched,
+                                   const PiecesLoads& loads) {
+  const body::Body& body = scene.body();
+  const auto d = static_cast<std::size_t>(scene.dimension());
+  // As long as all supports are on one piece it is held as the whole was.
+  if (std::count_if(touched.begin(), touched.end(), [](double t) { return t > 0; }) < 2) return {};
+  std::vector<double> loaded(touched.size(), 0.0), contact(touched.size(), 0.0);
+  const auto piece_of = [&](std::size_t u) { return static_cast<std::size_t>(components.of[u / d]); };
+  for (std::size_t u = 0; u < scene.owned_unknowns(); ++u) {
+    if (boundary.prescribed()[u]) continue;
+    if (loads.given[u] != 0) loaded[piece_of(u)] = 1;
+    if (loads.all[u] != loads.given[u]) contact[piece_of(u)] = 1;
+  }
+  body.communicator.max(loaded);
+  body.communicator.max(contact);
+  const auto pushable = [&](std::size_t k) { return touched[k] > 0 && loaded[k] > 0 && contact[k] == 0; };
+  bool any = false;
+  for (std::size_t k = 0; k < touched.size(); ++k) any = any || pushable(k);
+  if (!any) return {};
+
+  std::vector<FreePiece> pushed;
+  for (FreePiece& piece : find_free_pieces(body, components, boundary.prescribed(), true)) {
+    if (!pushable(static_cast<std::size_t>(piece.component))) continue;
+    for (std::size_t m = 0; m < piece.free.size(); ++m) {
+      const RigidMotion& motion = piece.free[m];
+      if (motion.turns() && !scene.small_strain()) continue;
+      std::vector<double> sums{0, 0};
+      for (LocalIndex i = 0; i < scene.owned(); ++i) {
+        if (components.of[i] != piece.component) continue;
+        const deck::Point rate = motion.at(body.position3(i), piece.center);
+        for (std::size_t c = 0; c < d; ++c) {
+          const double power = loads.given[static_cast<std::size_t>(i) * d + c] * rate[c];
+          sums[0] += power;
+          sums[1] += std::abs(power);
+        }
+      }
+      body.communicator.sum(sums);
+      if (!(std::abs(sums[0]) > least_push * sums[1])) continue;
+      piece.motions = {piece.motions[m]};
+      pushed.push_back(std::move(piece));
+      break;
+    }
+  }
+  return pushed;
+}
+
 }  // namespace
 
 double loose_energy(const mechanics::Scene& scene, const std::vector<char>& loose,
@@ -75,14 +128,18 @@ double loose_energy(const mechanics::Scene& scene, const std::vector<char>& loos
   return sum;
 }
 
-LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary, const mechanics::PlasticExtension& plastic) {
+LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary, const mechanics::PlasticExtension& plastic,
+                       const PiecesLoads& loads) {
   const body::Body& body = scene.body();
   const int d = scene.dimension();
   LoosePieces found;
   found.loose.assign(static_cast<std::size_t>(scene.owned()), 0);
-  for (long long cut = 1; cut > 0; found.broken += cut) {
-    found.rounds.push_back(scene.broken().size());
-    cut = cut_hanging(scene, plastic);
+  for (;;) {
+    const std::size_t before = scene.broken().size();
+    const long long cut = cut_hanging(scene, plastic);
+    if (cut == 0) break;
+    found.rounds.push_back(before);
+    found.broken += cut;
   }
   if (found.broken > 0)
     found.sentences.push_back(
@@ -91,6 +148,8 @@ LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary, const 
   const bonds::Components components = bonds::connected_components(body, scene.bond_graph());
   const auto count = static_cast<std::size_t>(components.count());
   std::vector<double> touched(count, 0.0), known(count, 0.0);
+  std::vector<char> pushed(count, 0);
+  int pushed_pieces = 0;
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
     const auto k = static_cast<std::size_t>(components.of[i]);
     if (!boundary.loose().empty() && boundary.loose()[i])
@@ -101,6 +160,15 @@ LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary, const 
   }
   body.communicator.max(touched);
   body.communicator.max(known);
+  for (const FreePiece& piece : find_pushed(scene, boundary, components, touched, loads)) {
+    const auto k = static_cast<std::size_t>(piece.component);
+    found.sentences.push_back(fmt::format(
+        "a piece of {} particles, the first of them {}, is held in part only: it can {}, and its loads push it that "
+        "way; it counts as loose and is held where it is",
+        components.particles[k], components.first[k], piece.motions.front()));
+    pushed[k] = 1;
+    ++pushed_pieces;
+  }
   int pieces = 0;
   long long particles = 0, single = 0;
   for (std::size_t k = 0; k < count; ++k) {
@@ -118,10 +186,10 @@ LoosePieces find_loose(mechanics::Scene& scene, const Boundary& boundary, const 
   if (single > 0)
     found.sentences.push_back(
         fmt::format("{} single particles have lost all their bonds and are held where they are", single));
-  if (pieces == 0) return found;
+  if (pieces + pushed_pieces == 0) return found;
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
     const auto k = static_cast<std::size_t>(components.of[i]);
-    found.loose[i] = touched[k] > 0 || known[k] > 0 ? 0 : 1;
+    found.loose[i] = pushed[k] != 0 || (touched[k] == 0 && known[k] == 0) ? 1 : 0;
   }
   return found;
 }

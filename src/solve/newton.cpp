@@ -34,7 +34,7 @@ struct Newton::Parts {
         scene(scene_),
         boundary(boundary_),
         system(scene_, boundary_.prescribed(), solver_),
-        model(rcp(new EquilibriumModel(scene_, boundary_, system))),
+        model(rcp(new EquilibriumModel(scene_, boundary_, system, solver.newton))),
         factory(belos_factory(solver_.linear, system.symmetric())),
         external(scene_.owned_unknowns()) {}
 
@@ -241,7 +241,7 @@ NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, in
   bool good_guess = p.boundary.free_count() == 0;
   if (guessed) {
     const ForceBalance& balance = p.model->evaluate(x.data());
-    good_guess = good_guess || (balance.finite && balance.relative() < 0.1);
+    good_guess = good_guess || (balance.finite && p.model->relative_residual() < 0.1);
   }
   if (!good_guess) {
     const LinearOutcome outcome = p.predict(committed, x);

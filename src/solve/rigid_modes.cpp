@@ -56,7 +56,7 @@ Motion shift(const Vector3& along) { return (Motion() << along, Vector3::Zero())
 Motion turn(const Vector3& about) { return (Motion() << Vector3::Zero(), about).finished(); }
 
 /// The motions to be judged, from the spread of the points; and those that are none for these points.
-void judge(Piece& piece, const Eigen::Matrix3d& spread, int dimension) {
+void judge(Piece& piece, const Eigen::Matrix3d& spread, int dimension, bool all_motions) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);  // ascending
   const auto extent = [&](int k) { return std::sqrt(std::max(0.0, axes.eigenvalues()(k))) / piece.size; };
   const Vector3 longest = axes.eigenvectors().col(2), middle = axes.eigenvectors().col(1);
@@ -76,9 +76,10 @@ void judge(Piece& piece, const Eigen::Matrix3d& spread, int dimension) {
   } else {
     piece.judged = Motions::Identity(6, 6);
   }
+  if (all_motions) piece.judged = Motions::Identity(6, 6);
 }
 
-std::vector<Piece> measure(const body::Body& body, const bonds::Components& components) {
+std::vector<Piece> measure(const body::Body& body, const bonds::Components& components, bool all_motions) {
   const auto count = static_cast<std::size_t>(components.count());
   std::vector<Piece> pieces(count);
   std::vector<double> sums(3 * count, 0.0), sizes(count, 0.0), spreads(9 * count, 0.0);
@@ -97,7 +98,8 @@ std::vector<Piece> measure(const body::Body& body, const bonds::Components& comp
   body.communicator.sum(spreads);
   for (std::size_t k = 0; k < count; ++k) {
     pieces[k].size = sizes[k] > 0 ? sizes[k] : 1;  // a single particle
-    judge(pieces[k], Eigen::Map<const Eigen::Matrix3d>(&spreads[9 * k]) / components.particles[k], body.dimension);
+    judge(pieces[k], Eigen::Map<const Eigen::Matrix3d>(&spreads[9 * k]) / components.particles[k], body.dimension,
+          all_motions);
   }
   return pieces;
 }
@@ -203,6 +205,14 @@ std::string direction(const Vector3& along, int dimension) {
   return point(unit, 1, dimension);
 }
 
+RigidMotion rigid_motion(const Motion& motion, const Piece& piece) {
+  RigidMotion plain;
+  for (int c = 0; c < 3; ++c) plain.along[static_cast<std::size_t>(c)] = motion(c);
+  if (motion.tail<3>().norm() < negligible) return plain;
+  for (int c = 0; c < 3; ++c) plain.about[static_cast<std::size_t>(c)] = motion(3 + c) / piece.size;
+  return plain;
+}
+
 std::string say(const Motion& motion, const Piece& piece, int dimension) {
   const Vector3 along = motion.head<3>(), about = motion.tail<3>() / piece.size;
   if (motion.tail<3>().norm() < negligible) return "move along " + direction(along, dimension);
@@ -215,9 +225,15 @@ std::string say(const Motion& motion, const Piece& piece, int dimension) {
 
 }  // namespace
 
+deck::Point RigidMotion::at(const deck::Point& x, const deck::Point& center) const {
+  const Vector3 arm(x[0] - center[0], x[1] - center[1], x[2] - center[2]);
+  const Vector3 turned = Vector3(about[0], about[1], about[2]).cross(arm);
+  return {along[0] + turned(0), along[1] + turned(1), along[2] + turned(2)};
+}
+
 std::vector<FreePiece> find_free_pieces(const body::Body& body, const bonds::Components& components,
-                                        const std::vector<char>& prescribed) {
-  std::vector<Piece> pieces = measure(body, components);
+                                        const std::vector<char>& prescribed, bool all_motions) {
+  std::vector<Piece> pieces = measure(body, components, all_motions);
   hold(pieces, body, components, prescribed);
   std::vector<FreePiece> found;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
@@ -227,7 +243,10 @@ std::vector<FreePiece> find_free_pieces(const body::Body& body, const bonds::Com
     one.component = static_cast<int>(k);
     one.touched = pieces[k].touched;
     std::copy_n(pieces[k].center.data(), 3, one.center.begin());
-    for (const Motion& motion : plain(free)) one.motions.push_back(say(motion, pieces[k], body.dimension));
+    for (const Motion& motion : plain(free)) {
+      one.free.push_back(rigid_motion(motion, pieces[k]));
+      one.motions.push_back(say(motion, pieces[k], body.dimension));
+    }
     found.push_back(std::move(one));
   }
   return found;

@@ -58,6 +58,7 @@ double StepRecords::entry_value(const State& state, const deck::HistoryEntry& en
     const auto unknown = static_cast<std::size_t>(i) * d + entry.component;
     sums[1] += 1;
     if (entry.kind == deck::HistoryKind::reaction) {
+      if (!state.loose.empty() && state.loose[i]) continue;
       sums[0] -= state.force[unknown] + state.external[unknown];  // what the support does to the body
     } else if (entry.kind == deck::HistoryKind::displacement) {
       sums[0] += state.committed.displacement()[unknown];

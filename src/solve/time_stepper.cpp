@@ -8,6 +8,7 @@
 
 #include "perinox/core/error.hpp"
 #include "perinox/mechanics/internal_force.hpp"
+#include "perinox/solve/energy_scale.hpp"
 #include "perinox/solve/stable_step.hpp"
 
 namespace perinox::solve {
@@ -84,7 +85,7 @@ void TimeStepper::run(Observer& observer) {
   ProfileReading told = ranks.profile().read();
   while (row_ < deck_.steps.count) {
     const double t = deck_.steps.end * (row_ + 1) / deck_.steps.count;
-    if (!advance_to(t)) stop(observer);
+    if (!advance_to(t, observer)) stop(observer);
     ++row_;
     ++step_;
     const bool end = row_ == deck_.steps.count;
@@ -120,7 +121,7 @@ void TimeStepper::begin_row(double t) {
   length_ = span / static_cast<double>(row_count_);
 }
 
-bool TimeStepper::advance_to(double t) {
+bool TimeStepper::advance_to(double t, Observer& observer) {
   // A restart within a row goes on with its time steps, unless the deck has other rows or time steps now.
   if (row_done_ == 0 || row_end_ != t || row_longest_ != time_step()) begin_row(t);
   while (row_done_ < row_count_) {
@@ -131,12 +132,16 @@ bool TimeStepper::advance_to(double t) {
     if (row_done_ % between_looks != 0 && !end) continue;
     motion_->gather_sums();
     energies_ = motion_->energies();
+    energy_scale_ = std::max(energy_scale_, energies_.scale());
     if (!motion_->sound(energies_)) return false;
-    if (!end && passing_) passing_(step_, motion_->t());
+    if (end) continue;
+    observer.moves({motion_->t(), motion_->time(), motion_->time_steps(), energies_.kinetic, energies_.stored,
+                    energies_.damped, breaking_ ? breaking_->broken() : 0});
+    if (passing_) passing_(step_, motion_->t());
   }
   row_done_ = 0;
-  const double scale = energies_.scale();
-  if (scale > 0) worst_gain_ = std::max(worst_gain_, std::abs(energies_.gain()) / scale);
+  energy_scale_ = std::max(energy_scale_, energy_of_rounding(scene_, motion_->trial().displacement, boundary_.loose()));
+  worst_gain_ = std::max(worst_gain_, std::abs(unaccounted()));
   return true;
 }
 
@@ -155,9 +160,10 @@ StepRecord TimeStepper::record(bool written, bool last) {
   motion.contact_energy = energies_.contact;
   row.motion = motion;
   if (breaking_) row.fracture = FractureRow{0, breaking_->broken(), energies_.released, 0};
-  records_.fill({motion_->committed(), motion_->force().data(), motion_->external().data(),
-                 motion_->dilatation().data(), motion_->stored_energy().data(), motion_->velocity().data()},
-                written, row);
+  records_.fill(
+      {motion_->committed(), motion_->force().data(), motion_->external().data(), motion_->dilatation().data(),
+       motion_->stored_energy().data(), boundary_.loose(), motion_->velocity().data()},
+      written, row);
   return row;
 }
 

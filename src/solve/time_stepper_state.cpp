@@ -19,6 +19,7 @@ void TimeStepper::save(StateWriter& writer) const {
   writer.integer("stepper/step", step_);
   writer.integer("stepper/estimated", estimated_);
   writer.number("stepper/worst_gain", worst_gain_);
+  writer.number("stepper/energy_scale", energy_scale_);
   writer.integer("row/done", row_done_);
   writer.integer("row/count", row_count_);
   writer.number("row/length", length_);
@@ -46,6 +47,8 @@ void TimeStepper::restore(StateReader& reader) {
   constexpr long long most = std::numeric_limits<long long>::max();
   estimated_ = restored_integer(reader, "stepper/estimated", 0, most);
   worst_gain_ = reader.number("stepper/worst_gain");
+  energy_scale_ = energies_.scale();
+  if (reader.has("stepper/energy_scale")) energy_scale_ = restored_number(reader, "stepper/energy_scale", 0);
   row_count_ = restored_integer(reader, "row/count", 0, most);
   row_done_ = restored_integer(reader, "row/done", 0, row_count_);
   length_ = restored_number(reader, "row/length", 0);

@@ -54,6 +54,27 @@ TEST(Terminal, RedrawsOneProgressLineAtTheBottom) {
   EXPECT_THAT(out.str(), EndsWith(" s\n"));  // nothing is left behind in the bottom line
 }
 
+// A phase of hours is not silent, and one of many short looks does not flood the log.
+TEST(Terminal, SaysWhereAMotionIsFromTimeToTime) {
+  solve::MotionPhase phase;
+  phase.t_begin = 0.5;
+  phase.reason = "the crack runs";
+  const solve::MotionMoment moment{0.5, 2e-6, 1270, 1.25, 3.5, 0.75, 12};
+  std::ostringstream out;
+  Terminal often(out, false, 0);
+  often.phase_begins(phase);
+  often.moves(moment);
+  EXPECT_EQ(out.str(),
+            "  goes on in time from t = 0.5: the crack runs\n"
+            "  in motion at t = 0.5, time 2e-06, 1270 time steps: kinetic 1.25, stored 3.5, damped 0.75, 12 broken "
+            "bonds\n");
+  std::ostringstream quiet;
+  Terminal usual(quiet, false);
+  usual.phase_begins(phase);
+  for (int k = 0; k < 1000; ++k) usual.moves(moment);
+  EXPECT_EQ(quiet.str(), "  goes on in time from t = 0.5: the crack runs\n");  // two seconds are not over
+}
+
 TEST(Terminal, SaysDurationsAsPeopleDo) {
   EXPECT_EQ(duration(0.04), "0.0 s");
   EXPECT_EQ(duration(12.4), "12 s");

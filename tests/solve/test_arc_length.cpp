@@ -233,5 +233,116 @@ TEST(ArcLength, LoadsThatAreNotLinearInT) {
   EXPECT_NEAR(a, b, 1e-2);  // of a limit of 500; measured 7e-6
 }
 
+/// A bar of hardening material under a traction, its end free.
+std::string hardening_bar(const std::string& traction, const std::string& steps) {
+  return fmt::format(R"(
+dimension: plane-stress
+body: [{{name: bar, shape: {{box: {{min: [0, 0], max: [12, 5]}}}}, spacing: 1, material: metal}}]
+horizon: {{ratio: 2.015}}
+materials: {{metal: {{model: elastic-plastic, young_modulus: 1000, poisson_ratio: 0.3, yield_stress: {{tension: 1}}, hardening_modulus: {{tension: 100}}}}}}
+deformation: small
+sets: {{lo: {{where: "x<2"}}, hi: {{where: "x>10"}}}}
+boundary:
+  - {{set: lo, displacement: {{x: 0, y: 0}}}}
+  - {{set: hi, traction: {{x: "{}"}}, facing: [1, 0]}}
+steps: {}
+history: [{{name: pull, displacement: hi, component: x}}]
+)",
+                     traction, steps);
+}
+
+/// Largest t of the steps, and whether one ends where the load turns back.
+bool one_ends_at(const RunResult& run, double t) {
+  return std::any_of(run.records.steps.begin(), run.records.steps.end(),
+                     [t](const solve::StepRecord& step) { return std::abs(step.t - t) < 1e-7; });
+}
+
+// What flows on the way up to the peak has flowed, however the steps lie: load steps that end there say how much.
+TEST(ArcLength, AStepEndsWhereTheLoadTurnsBack) {
+  const std::string peak = "3*(t<1 ? t : 2-t)";
+  const RunResult given = run_deck(deck_of(hardening_bar(peak, "{end: 1.25, count: 40}")));
+  ASSERT_EQ(given.stopped, "");
+  for (const int count : {2, 3, 5, 7, 20}) {
+    const RunResult run =
+        run_deck(deck_of(hardening_bar(peak, fmt::format("{{end: 1.25, count: {}, control: arc-length}}", count))));
+    ASSERT_EQ(run.stopped, "") << count;
+    EXPECT_TRUE(one_ends_at(run, 1)) << count;
+    EXPECT_EQ(run.records.steps.back().t, 1.25);
+    EXPECT_NEAR(run.energies.dissipated / given.energies.dissipated, 1, 0.01) << count;
+    EXPECT_NEAR(run.records.steps.back().history[0] / given.records.steps.back().history[0], 1, 0.01) << count;
+    EXPECT_LE(std::abs(run.energies.unaccounted()), 1e-7);
+  }
+}
+
+TEST(ArcLength, ThroughManyTurnsOfTheLoad) {
+  for (const char* load : {"2*sin(2*pi*t)", "4/pi*asin(sin(2*pi*t))"}) {
+    const RunResult given = run_deck(deck_of(hardening_bar(load, "{end: 2, count: 80}")));
+    ASSERT_EQ(given.stopped, "") << load;
+    const RunResult run = run_deck(deck_of(hardening_bar(load, "{end: 2, count: 32, control: arc-length}")));
+    ASSERT_EQ(run.stopped, "") << load;
+    for (const double t : {0.25, 0.75, 1.25, 1.75}) EXPECT_TRUE(one_ends_at(run, t)) << load << ", " << t;
+    EXPECT_EQ(run.records.steps.back().t, 2);
+    EXPECT_NEAR(run.energies.dissipated / given.energies.dissipated, 1, 0.02) << load;
+  }
+}
+
+// The peak lies where a step ends, or where the run does.
+TEST(ArcLength, ATurnAtTheEndOfAStep) {
+  const RunResult first =
+      run_deck(deck_of(hardening_bar("3*(t<1 ? t : 2-t)", "{end: 2, count: 2, control: arc-length}")));
+  ASSERT_EQ(first.stopped, "");
+  EXPECT_EQ(first.records.steps.front().t, 1);
+  EXPECT_EQ(first.records.steps.back().t, 2);
+  const RunResult up = run_deck(deck_of(hardening_bar("3*t", "{end: 1, count: 8, control: arc-length}")));
+  const RunResult last =
+      run_deck(deck_of(hardening_bar("3*(t<1 ? t : 2-t)", "{end: 1, count: 8, control: arc-length}")));
+  ASSERT_EQ(last.stopped, "");
+  EXPECT_NEAR(last.energies.dissipated / up.energies.dissipated, 1, 1e-8);
+  EXPECT_NEAR(first.energies.dissipated / up.energies.dissipated, 1, 0.01);
+}
+
+TEST(ArcLength, LoadStepsThatDoNotSeeAPeakSaySo) {
+  const auto remarks = [](const std::string& load, const std::string& steps, const std::vector<std::string>& set = {}) {
+    const deck::Deck deck = deck_of(hardening_bar(load, steps), set);
+    const mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
+    return solve::Boundary(deck, scene).remarks();
+  };
+  const std::string peak = "3*(t<1 ? t : 2-t)";
+  const std::vector<std::string> said = remarks(peak, "{end: 1.25, count: 5}");
+  EXPECT_TRUE(said.empty());  // a step ends at t = 1
+  const std::vector<std::string> jumped = remarks(peak, "{end: 1.25, count: 3}");
+  ASSERT_EQ(jumped.size(), 1u);
+  EXPECT_EQ(
+      jumped[0],
+      "test.yaml:10:5: the x component turns back at t = 1, within the load step from 0.833333 to 1.25, which does "
+      "not see 17 % of it; what flows or breaks remembers the way of its load: choose steps so that one ends there");
+  const std::vector<std::string> waves = remarks("sin(2*pi*t)", "{end: 2, count: 9}");
+  ASSERT_EQ(waves.size(), 1u);
+  EXPECT_THAT(waves[0], HasSubstr(", and so it is in 3 more; "));
+  EXPECT_EQ(remarks("x*t*(2.1-t)", "{end: 2, count: 4}").size(), 1u);  // a formula of the place
+  // Nothing to remember, no load that turns, and steps along an arc.
+  EXPECT_TRUE(remarks(peak, "{end: 1.25, count: 3, control: arc-length}").empty());
+  EXPECT_TRUE(remarks("3*t*t", "{end: 1.25, count: 3}").empty());
+  EXPECT_TRUE(remarks("t<1 ? t : 1", "{end: 1.25, count: 3}").empty());
+}
+
+TEST(ArcLength, WhereALoadTurnsBack) {
+  const auto turn = [](const std::string& load, double from, double to, bool as_it_came = false) {
+    const deck::Deck deck = deck_of(hardening_bar(load, "{end: 1, count: 1, control: arc-length}"));
+    const mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
+    return solve::Boundary(deck, scene).first_reversal(from, to, as_it_came);
+  };
+  EXPECT_NEAR(turn("t<1/3 ? t : 2/3-t", 0, 1).value(), 1.0 / 3, 1e-13);
+  EXPECT_NEAR(turn("t<1/3 ? t : 2/3-t", 1, 0).value(), 1.0 / 3, 1e-13);  // on the way back as well
+  EXPECT_NEAR(turn("1e9*sin(pi*t)", 0, 1).value(), 0.5, 1e-7);
+  EXPECT_NEAR(turn("-1e-9*(y+1)*sin(pi*t)", 0, 1).value(), 0.5, 1e-7);
+  EXPECT_FALSE(turn("sin(pi*t)", 0, 0.5 - 1e-6));
+  EXPECT_FALSE(turn("sin(pi*t)", 0.5, 1));
+  EXPECT_NEAR(turn("t<0.5 ? t : 1-t", 0.5, 1, true).value(), 0.5, 1e-5);
+  EXPECT_FALSE(turn("t<0.5 ? 0 : t-0.5", 0, 1));                                   // it begins late
+  EXPECT_FALSE(turn("exp(-(x-9-3*t)^2)", 0, 1));                                   // it travels
+  EXPECT_NEAR(turn("t<0.4 ? t : t<0.7 ? 0.4 : 1.1-t", 0, 1).value(), 0.55, 0.16);  // it rests in between
+}
+
 }  // namespace
 }  // namespace perinox::testing

@@ -213,5 +213,60 @@ TEST(HandOver, APassageOfAWave) {
   EXPECT_THROW(solve::passage_time(light, scene), InputError);
 }
 
+/// A bar in two halves but for a ligament, its left end clamped; on the right it is held along y only and pulled.
+std::string half_held_bar(const std::string& load, const std::string& more = "") {
+  return R"(
+dimension: plane-stress
+body: [{name: bar, shape: {box: {min: [0, 0], max: [24, 6]}}, spacing: 1, material: brittle}]
+horizon: {ratio: 2.015}
+cracks: [{segment: {start: [12, 0], end: [12, 3]}}]
+materials: {brittle: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, density: 1.0e-9, damage: {energy_release_rate: 0.05}}}
+sets: {wall: {where: "x < 3"}, pulled: {where: "x > 21"}}
+boundary:
+  - {set: wall, displacement: {x: 0, y: 0}}
+  - {set: pulled, displacement: {y: "0.001*t"}}
+  - )" + load +
+         R"(
+fracture: {unbreakable: [wall, pulled]}
+steps: {end: 1, count: 5}
+history:
+  - {name: held, reaction: wall, component: x}
+  - {name: guided, reaction: pulled, component: y}
+  - {name: stretch, displacement: pulled, component: x}
+)" + more;
+}
+
+// Its pulled half would fly off along x for ever: y is all that holds it.
+TEST(HandOver, APieceThatIsHeldInPartAndPushedIsTakenOut) {
+  for (const char* deformation : {"deformation: finite", "deformation: small"}) {
+    const FractureRun run(
+        deck_of(half_held_bar("{set: pulled, traction: {x: \"20*t\"}, facing: [1, 0]}", deformation)));
+    ASSERT_EQ(run.stopped, "");
+    ASSERT_EQ(run.records.steps.size(), 5u);
+    EXPECT_TRUE(
+        run.records.noted("a piece of 72 particles, the first of them 12, is held in part only: it can move along "
+                          "x, and its loads push it that way; it counts as loose and is held where it is"));
+    const solve::StepRecord& last = run.records.steps.back();
+    EXPECT_LE(last.motion->time_steps, 2000);  // 530 and 25 260 before it was seen
+    EXPECT_LE(std::abs(last.history[0]), 1e-6);
+    EXPECT_EQ(last.history[1], 0);  // no support acts on what is out
+    std::size_t broken_at = 0;
+    while (run.records.steps[broken_at].fracture->broken_bonds == 0) ++broken_at;
+    for (std::size_t k = broken_at + 1; k < 5; ++k)
+      EXPECT_EQ(run.records.steps[k].history[2], run.records.steps[broken_at].history[2]);  // it stays where it is
+    EXPECT_LE(run.energy_gap(), 1e-3);
+  }
+}
+
+// Pulled by what holds it along x as well, the other half follows its support, and nothing is taken out.
+TEST(HandOver, APieceThatNothingPushesStaysWithItsSupport) {
+  std::string yaml = half_held_bar("{set: pulled, displacement: {x: \"0.5*t\"}}");
+  const FractureRun run(deck_of(yaml));
+  ASSERT_EQ(run.stopped, "");
+  EXPECT_FALSE(run.records.noted("held where it is"));
+  EXPECT_NEAR(run.records.steps.back().history[2], 0.5, 1e-12);
+  EXPECT_LE(std::abs(run.records.steps.back().history[0]), 1e-6);
+}
+
 }  // namespace
 }  // namespace perinox::testing

@@ -53,6 +53,17 @@ history:
 )";
 }
 
+/// The same bar without flow, pulled and let go.
+std::string changed_to_elastic(std::string yaml) {
+  for (const auto& [from, to] : {std::pair{"tension: 200", "tension: 1e9"},
+                                 {"0.08*sin(5 * t) ", "0.08*abs(2-abs(2-t))"},
+                                 {"0.01*t", "0.01*(2-abs(2-t))"}}) {
+    const std::string what = from;
+    yaml.replace(yaml.find(what), what.size(), to);
+  }
+  return yaml;
+}
+
 TEST(Restart, TwoLevelPlasticBarWithItsUnloading) { restart_after_every_step(deck_of(bar(""))); }
 
 TEST(Restart, SeveralProductsAnIteration) {  // kappa/mu = 500: the polynomial's interval goes on too
@@ -118,6 +129,11 @@ boundary:
 steps: {end: 1, count: 4}
 history: [{name: pull, reaction: head, component: z}]
 )"));
+}
+
+TEST(Restart, ThroughNoLoadAtAll) {  // rounding is judged by what the step starts from
+  const std::string elastic = changed_to_elastic(bar(""));
+  restart_after_every_step(deck_of(elastic, {"steps.end=4", "steps.count=8"}));
 }
 
 TEST(Restart, GoesOnWithASmallerStepAndAnEndFurtherOff) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "perinox/output/checkpoint.hpp"
@@ -130,6 +131,53 @@ inline double history_difference(const RunResult& whole, const RunResult& part, 
       if (scale[k] > 0) largest = std::max(largest, std::abs(a[k] - b[k]) / scale[k]);
   }
   return largest;
+}
+
+/// A run that is broken off after every step, and once within each step that goes through time, and goes on every time
+/// from its own checkpoint in a program that knows nothing else. pieces: how many those were.
+template <class Stepper>
+RunResult run_in_pieces_of(const deck::Deck& deck, int& pieces) {
+  const CheckpointFolder folder{Communicator(MPI_COMM_SELF)};
+  const std::string file = folder.of_step(0);
+  RunResult all;
+  int within = 0;  // the step that has been broken off within
+  for (pieces = 1;; ++pieces) {
+    mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
+    Stepper stepper(deck, scene);
+    if (pieces > 1) {
+      output::read_checkpoint_head(file, scene.body().communicator);
+      output::CheckpointReader reader(file, scene.body());
+      stepper.restore(reader);
+    }
+    const auto leave = [&](int step, double t) {
+      output::CheckpointWriter writer(file, scene.body());
+      writer.write({step, t}, [&](StateWriter& to) { stepper.save(to); });
+      throw RunError("broken off");
+    };
+    stepper.on_commit([&](const solve::StepRecord& record) {
+      if (!record.last) leave(record.step, record.t);
+    });
+    int moments = 0;
+    stepper.on_passing([&](int step, double t) {
+      if (step + 1 == within || ++moments < 5) return;
+      within = step + 1;
+      leave(step, t);
+    });
+    const RunResult piece = run_with(stepper);
+    all.records.steps.insert(all.records.steps.end(), piece.records.steps.begin(), piece.records.steps.end());
+    if (piece.stopped == "broken off") continue;
+    all.stopped = piece.stopped;
+    if constexpr (std::is_same_v<Stepper, solve::LoadStepper>)
+      keep(scene, stepper.committed().displacement(), stepper.force(), all);
+    else
+      keep(scene, stepper.motion().committed().displacement(), stepper.motion().force(), all);
+    return all;
+  }
+}
+
+inline RunResult run_in_pieces(const deck::Deck& deck, int& pieces) {
+  return deck.dynamics == deck::Dynamics::explicit_ ? run_in_pieces_of<solve::TimeStepper>(deck, pieces)
+                                                    : run_in_pieces_of<solve::LoadStepper>(deck, pieces);
 }
 
 }  // namespace perinox::testing

@@ -23,6 +23,7 @@ class Expression {
   bool holds(double x, double y, double z) const { return (*this)(x, y, z, 0.0) != 0.0; }
   const std::string& text() const { return text_; }
   bool uses_time() const;
+  bool uses_position() const;  ///< x, y or z
 
  private:
   struct Compiled;

@@ -38,6 +38,7 @@ class RunWriter : public solve::Observer {
   void phase_begins(const solve::MotionPhase& phase) override;
   /// results.h5: every phase.
   void phase_ended(const solve::MotionPhase& phase) override;
+  void moves(const solve::MotionMoment& moment) override;
   void note(const std::string& sentence) override;
   /// history.csv: every step; results.h5: every deck.output.every-th step and the last, with displacement, force and
   /// the fields of deck.output.fields that the scene carries. Collective. Throws RunError if the disk refuses.

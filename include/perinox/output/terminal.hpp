@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <ostream>
 #include <string>
 
@@ -11,13 +12,17 @@ namespace perinox::output {
 /// place; without it the text holds no control characters.
 class Terminal {
  public:
-  Terminal(std::ostream& out, bool redraw) : out_(out), redraw_(redraw) {}
+  /// seconds_between_moments: on the clock, between two lines of a motion.
+  Terminal(std::ostream& out, bool redraw, double seconds_between_moments = 2)
+      : out_(out), redraw_(redraw), seconds_between_moments_(seconds_between_moments) {}
 
   void newton_iteration(const solve::NewtonIteration& row, int attempt);
   void step_rejected(double t_from, double t_to, const std::string& reason);
   void bonds_broken(const solve::BreakingPass& pass);
   void phase_begins(const solve::MotionPhase& phase);
   void phase_ended(const solve::MotionPhase& phase);
+  /// A line where the last one of the motion, its beginning or the last row is long enough ago.
+  void moves(const solve::MotionMoment& moment);
   void step_committed(const solve::StepRecord& record);
   /// A line of its own.
   void say(const std::string& line);
@@ -27,6 +32,9 @@ class Terminal {
 
   std::ostream& out_;
   bool redraw_;
+  using Clock = std::chrono::steady_clock;
+  double seconds_between_moments_;
+  Clock::time_point last_ = Clock::now();
   std::string progress_;   ///< what stands in the bottom line now
   std::string time_left_;  ///< known from the last committed step
   std::string end_;

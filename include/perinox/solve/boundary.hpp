@@ -26,7 +26,8 @@ class Boundary {
   long long prescribed_count() const { return prescribed_count_; }
   long long free_count() const { return free_count_; }
 
-  /// Takes particles out of the unknowns, for good: they stay where they are whatever acts on them. loose: [owned].
+  /// Takes particles out of the unknowns, for good: they stay where they are whatever acts on them and whatever is
+  /// prescribed for them. loose: [owned].
   /// Collective.
   void let_go(const std::vector<char>& loose);
   /// [owned]; empty: none is loose.
@@ -49,8 +50,14 @@ class Boundary {
   /// Names the first load that is infinite or not a number at t, with its line, place and formula; "" if none is.
   /// Collective.
   std::string not_finite(double t) const;
-  /// For the log: one sentence for each entry that prescribes unknowns of an earlier one too, and for each table that
-  /// is not a load over all of the run.
+  /// t nearest to `from` at which a load turns back on the way from there to `to`: where an increment of an entry's
+  /// component, or of its table, points against the one before. It is looked for at 32 moments of the way and the times
+  /// of tables, and then pinned down; what comes and goes between two of them is not seen. as_it_came: also at `from`
+  /// itself, where the load has come from the other side. Prescribed velocities are no loads here. Collective.
+  std::optional<double> first_reversal(double from, double to, bool as_it_came) const;
+  /// For the log: one sentence for each entry that prescribes unknowns of an earlier one too, for each table that is not
+  /// a load over all of the run, and for each load that turns back within a load step where some material remembers its
+  /// way.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
@@ -63,6 +70,10 @@ class Boundary {
     /// [set] values of a component whose formula does not use t; empty: to be evaluated
     std::array<std::vector<double>, 3> steady{};
   };
+  struct LoadHistory;
+  std::vector<LoadHistory> changing_loads() const;
+  /// Of load steps that do not see where a load turns back. Collective.
+  void remark_on_reversals(const deck::Steps& steps);
   void keep_steady_values();
   void count_unknowns();
   void add_surface_force(const Entry& entry, double t, double* force) const;

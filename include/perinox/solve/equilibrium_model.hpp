@@ -13,7 +13,9 @@ namespace perinox::solve {
 
 class EquilibriumModel : public Thyra::StateFuncModelEvaluatorBase<double> {
  public:
-  EquilibriumModel(const mechanics::Scene& scene, const Boundary& boundary, TangentSystem& system);
+  /// settings: of Newton's method; alive as long as the model.
+  EquilibriumModel(const mechanics::Scene& scene, const Boundary& boundary, TangentSystem& system,
+                   const deck::Newton& settings);
 
   /// The step to be solved: committed state and external force [owned * dimension] stay alive until the next call.
   void set_step(const mechanics::Committed& committed, const std::vector<double>& external, double t);
@@ -27,9 +29,14 @@ class EquilibriumModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   std::string not_finite() const;
   /// Element-wise sums over the ranks, in place.
   void sum(std::vector<double>& values) const { scene_.body().communicator.sum(values); }
-  /// Residual below which nothing but rounding is left: force. A displacement larger than the body does not raise it: a
-  /// body that runs away is in no equilibrium.
+  /// Residual below which nothing but rounding is left: force. The displacement that it goes with is the larger one of
+  /// the step's start and of the point last evaluated: on the way to no load at all the reactions vanish with the
+  /// displacement, and rounding is that of the way. A displacement larger than the body does not raise it: a body that
+  /// runs away is in no equilibrium. One that is smaller than rounding of the body's size to the square is none.
   double rounding_floor() const;
+  /// Residual of the last evaluation over what it is judged against: the largest of reaction, external force, and the
+  /// force that Newton's tolerance makes the rounding floor of. 0 where there is no residual.
+  double relative_residual() const;
   /// 2-norm of a displacement of the body's own size; a step beyond it makes no sense.
   double reach() const { return reach_; }
 
@@ -44,11 +51,14 @@ class EquilibriumModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   Thyra::ModelEvaluatorBase::OutArgs<double> createOutArgsImpl() const override;
   void evalModelImpl(const Thyra::ModelEvaluatorBase::InArgs<double>& in,
                      const Thyra::ModelEvaluatorBase::OutArgs<double>& out) const override;
+  bool loose(std::size_t u) const;
 
   const mechanics::Scene& scene_;
   const Boundary& boundary_;
   TangentSystem& system_;
-  double reach_;  ///< 2-norm of a displacement of the body's own size
+  const deck::Newton& settings_;
+  double start_ = 0;  ///< 2-norm of the displacement that the step starts from
+  double reach_;      ///< 2-norm of a displacement of the body's own size
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> space_;
   const mechanics::Committed* committed_ = nullptr;
   const std::vector<double>* external_ = nullptr;

@@ -104,6 +104,7 @@ class ExplicitMotion {
   const std::vector<double>& velocity() const { return velocity_; }                  ///< [owned * dimension]
   const std::vector<double>& force() const { return force_; }                        ///< internal, [owned * dimension]
   const std::vector<double>& external() const { return external_; }                  ///< contacts included
+  const std::vector<double>& loads() const { return loads_; }                        ///< external without contacts
   const std::vector<double>& dilatation() const { return trial_.dilatation; }        ///< [owned]
   const std::vector<double>& stored_energy() const { return trial_.stored_energy; }  ///< [owned] a volume
   const mechanics::Trial& trial() const { return trial_; }
@@ -129,6 +130,7 @@ class ExplicitMotion {
   mechanics::Committed committed_;
   mechanics::Trial trial_;  ///< the present state; its displacement is committed_'s where that is up to date
   std::vector<double> velocity_, acceleration_, force_, external_, loads_;
+  std::vector<char> let_go_;               ///< [owned] loose when the supports last changed; empty: none
   std::vector<std::size_t> held_;          ///< prescribed unknowns
   std::vector<double> held_displacement_;  ///< [held] before the step
   std::vector<double> held_velocity_;      ///< [held] before the step

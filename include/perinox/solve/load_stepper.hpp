@@ -29,6 +29,13 @@ struct Energies {
   double released = 0;  ///< stored energy that went with breaking bonds, the deformation held
   double relaxed = 0;   ///< lost on the way down to the next equilibrium, or stored in what came loose
   double damped = 0;    ///< while the run went on in time, the kinetic energy left at its end included
+  /// The largest of stored, dissipated and external work at any step so far, and at least that of energy_scale.hpp.
+  double scale = 0;
+
+  /// External work that is nowhere, over the scale.
+  double unaccounted() const {
+    return scale > 0 ? (external_work - stored - dissipated - released - relaxed - damped) / scale : 0;
+  }
 };
 
 /// Drives a scene from t = 0 to its end, in load steps or along an arc (step_control.hpp). The only place where a trial
@@ -78,6 +85,7 @@ class LoadStepper {
   /// followed: equilibrium was kept on the way from the committed state, which flow may have bent.
   void commit(mechanics::Trial&& trial, std::vector<double>&& force, bool followed = false);
   /// written: the fields that cost something are made too.
+  void raise_energy_scale();
   StepRecord record(const NewtonResult& result, bool written);
   struct Loss {
     LostEquilibrium cause = LostEquilibrium::no;

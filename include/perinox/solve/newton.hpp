@@ -11,16 +11,14 @@
 
 namespace perinox::solve {
 
-/// Sizes of the out-of-balance force and of what it is measured against; the same on every rank.
+/// Sizes of the out-of-balance force and of what it is measured against; the same on every rank. Particles that have
+/// come loose do not count: whatever acts on them has nothing to do with the others' equilibrium.
 struct ForceBalance {
   double residual = 0;      ///< 2-norm of internal + external force over the free unknowns
   double reaction = 0;      ///< 2-norm of it over the prescribed unknowns
   double external = 0;      ///< 2-norm of the external force
   double displacement = 0;  ///< 2-norm of the displacement
   bool finite = true;
-
-  /// Residual over the larger of reaction and external force; 0 where all are zero.
-  double relative() const;
 };
 
 /// Why an attempt at equilibrium failed.

@@ -77,6 +77,15 @@ struct MotionRow {
   double phase_time = 0, phase_energy = 0;      ///< time they took, energy damped in them
 };
 
+/// Where a run that moves in time is, between two rows or within a phase.
+struct MotionMoment {
+  double t = 0;
+  double time = 0;  ///< of the phase, or since the start
+  long long time_steps = 0;
+  double kinetic_energy = 0, stored_energy = 0, damped_energy = 0;
+  long long broken_bonds = 0;  ///< of the phase, or since the start
+};
+
 /// One pass of bond breaking.
 struct BreakingPass {
   int step = 0;
@@ -123,6 +132,8 @@ class Observer {
   /// The run goes on in time from here: only the fields up to reason are known.
   virtual void phase_begins(const MotionPhase&) {}
   virtual void phase_ended(const MotionPhase&) {}
+  /// Every few time steps of a motion.
+  virtual void moves(const MotionMoment&) {}
   /// A sentence for the log: what has been taken out.
   virtual void note(const std::string& /*sentence*/) {}
   /// The run cannot go on; `last` is the last committed step once more, if there has been one; where equilibrium is

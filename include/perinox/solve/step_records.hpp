@@ -23,6 +23,7 @@ class StepRecords {
     const double* external;            ///< [owned * dimension] force from outside without that of the supports
     const double* dilatation;          ///< [owned]
     const double* stored_energy;       ///< [owned] energy a volume
+    const std::vector<char>& loose;    ///< [owned] 1: taken out, no support acts on it any more; or empty
     const double* velocity = nullptr;  ///< [owned * dimension]; null: not in motion
   };
   /// Fills row.history and row.fields, which point into the state and into this. written: the fields that cost

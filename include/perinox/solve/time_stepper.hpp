@@ -54,14 +54,17 @@ class TimeStepper {
   /// At the end of the run.
   const Validity& validity() const { return validity_; }
   const MotionEnergies& energies() const { return energies_; }
-  /// Largest gain of energy over the largest energy, at any row.
+  /// Energy gained without anybody's work, over the largest energy of the run so far; a body that only moves has at
+  /// least that of energy_scale.hpp.
+  double unaccounted() const { return energy_scale_ > 0 ? energies_.gain() / energy_scale_ : 0; }
+  /// The largest size of it at any row.
   double worst_gain() const { return worst_gain_; }
 
  private:
   void make_motion();
   double time_step();
   void begin_row(double t);
-  bool advance_to(double t);
+  bool advance_to(double t, Observer& observer);
   StepRecord record(bool written, bool last);
   [[noreturn]] void stop(Observer& observer);
 
@@ -73,7 +76,7 @@ class TimeStepper {
   StepRecords records_;
   Validity validity_;
   MotionEnergies energies_;
-  double worst_gain_ = 0;
+  double worst_gain_ = 0, energy_scale_ = 0;
   double length_ = 0;        ///< of a time step in the last row
   long long estimated_ = 0;  ///< time steps done at the last estimate
   int row_ = 0;              ///< rows done of the deck's
