@@ -20,7 +20,7 @@ std::vector<std::string> names_of(const std::vector<Key>& keys) {
 
 class Checker {
  public:
-  Checker(const Schema& schema, std::string folder) : schema_(schema), folder_(std::move(folder)) {}
+  Checker(const Schema& schema, InputFiles files) : schema_(schema), files_(std::move(files)) {}
 
   /// `name` is what messages call the value; `path` its dotted path.
   Value check(const Node& node, const Key& use, const std::string& name, const std::string& path) {
@@ -46,7 +46,7 @@ class Checker {
       case Type::choice:
         return check_map(node, key, path);
       default:
-        return check_scalar(node, key, name, folder_);
+        return check_scalar(node, key, name, files_);
     }
   }
 
@@ -248,18 +248,18 @@ class Checker {
   }
 
   const Schema& schema_;
-  std::string folder_;
+  InputFiles files_;
 };
 
 }  // namespace
 
-Value check_against_schema(const Node& root, const Schema& schema, const std::string& folder) {
-  return Checker(schema, folder).check(root, schema.root(), "the deck", "");
+Value check_against_schema(const Node& root, const Schema& schema, const InputFiles& files) {
+  return Checker(schema, files).check(root, schema.root(), "the deck", "");
 }
 
-Value check_against_key(const Node& root, const Key& key, const std::string& name, const std::string& folder) {
+Value check_against_key(const Node& root, const Key& key, const std::string& name, const InputFiles& files) {
   static const Schema without_models({});
-  return Checker(without_models, folder).check(root, key, name, "");
+  return Checker(without_models, files).check(root, key, name, "");
 }
 
 std::string expected(const Key& key) {

@@ -1,9 +1,6 @@
 #include "perinox/study/conduct.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -12,6 +9,7 @@
 
 #include "perinox/core/error.hpp"
 #include "perinox/deck/read.hpp"
+#include "perinox/output/directory_lock.hpp"
 #include "perinox/output/table_reader.hpp"
 #include "perinox/study/report.hpp"
 #include "perinox/study/run_record.hpp"
@@ -20,31 +18,6 @@ namespace perinox::study {
 
 namespace {
 namespace fs = std::filesystem;
-
-/// Keeps a second study out of the folder while it lives.
-class FolderLock {
- public:
-  explicit FolderLock(const std::string& folder) {
-    std::error_code error;
-    fs::create_directories(folder + "/runs", error);
-    if (error)
-      throw InputError(fmt::format("the output directory {} cannot be used: {}; choose another with --output", folder,
-                                   error.message()));
-    file_ = ::open((folder + "/runs/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file_ < 0)
-      throw InputError(
-          fmt::format("the output directory {} cannot be written to; choose another with --output", folder));
-    if (::flock(file_, LOCK_EX | LOCK_NB) == 0) return;
-    ::close(file_);
-    throw InputError(fmt::format("another study is running in {}; choose another folder with --output", folder));
-  }
-  ~FolderLock() { ::close(file_); }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int file_;
-};
 
 void write_file(const fs::path& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
@@ -203,8 +176,7 @@ std::vector<Row> measure_all(const Study& study, const std::vector<Prepared>& al
   }
   for (std::size_t k = 0; k < all.size(); ++k)
     for (const Measure& measure : study.measures) {
-      // A run that stopped short has no end to be measured at.
-      if (rows[k].status != 0 && !measure.at) continue;
+      if (rows[k].status != 0 && measure.needs_the_end()) continue;
       const std::string reference = reference_of(study, measure, rows, rows[k], output);
       if (measure.reference == "finest" && reference.empty()) continue;
       attempt(rows[k], [&] {
@@ -224,7 +196,8 @@ int conduct(const Request& request, const deck::Schema& schema) {
     for (const Prepared& one : all) fmt::print("  {}{}\n", one.run.name, one.record ? "  finished earlier" : "");
     return 0;
   }
-  const FolderLock lock(request.output);
+  const output::DirectoryLock lock(request.output + "/runs", request.file);
+  if (!lock.remark().empty()) fmt::print(stderr, "warning: {}\n", lock.remark());
   if (!request.quiet) say_start(study, all, request);
   std::vector<RunRecord> records;
   for (std::size_t k = 0; k < all.size(); ++k) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "perinox/solve/path_constraint.hpp"
 #include "support/runs.hpp"
 
 namespace perinox::testing {
@@ -231,6 +232,17 @@ TEST(ArcLength, LoadsThatAreNotLinearInT) {
   const double a = square.records.steps.back().history[0], b = linear.records.steps.back().history[0];
   std::printf("force at the same displacement: %.6f with t|t|, %.6f with t\n", a, b);
   EXPECT_NEAR(a, b, 1e-2);  // of a limit of 500; measured 7e-6
+}
+
+TEST(ArcLength, TheMeanOfUntilIsByVolume) {
+  const Communicator self(MPI_COMM_SELF);
+  const std::vector<LocalIndex> set{0, 2};
+  const std::vector<double> volume{1, 7, 3}, displacement{0.1, 9, 9, 9, 0.5, 9};
+  const solve::FixedMean mean(self, set, volume, 2, 0, 0.8);
+  EXPECT_NEAR(mean.mean(displacement), (0.1 + 3 * 0.5) / 4, 1e-16);
+  solve::PathPoint at;
+  at.displacement = displacement;
+  EXPECT_NEAR(mean.value(at), 0.4 / 0.8 - 1, 1e-15);
 }
 
 }  // namespace
