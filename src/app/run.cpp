@@ -64,14 +64,14 @@ std::string directory_of(const Options& options) {
 }
 
 /// The lock on the directory of the results, which the root holds for all ranks. Collective; throws InputError.
-std::optional<output::DirectoryLock> lock_directory(const Options& options, const Communicator& communicator) {
-  std::optional<output::DirectoryLock> lock;
+std::unique_ptr<output::DirectoryLock> lock_directory(const Options& options, const Communicator& communicator) {
+  std::unique_ptr<output::DirectoryLock> lock;
   std::string refusal;
   const std::string directory = directory_of(options);
   // A checkpoint that is not there is refused later, and no directory made for it.
   const bool nothing = options.output.empty() && !options.restart.empty() && !std::filesystem::exists(directory);
   if (communicator.is_root() && !nothing) try {
-      lock.emplace(directory, options.deck);
+      lock = std::make_unique<output::DirectoryLock>(directory, options.deck);
       if (!lock->remark().empty()) fmt::print(stderr, "warning: {}\n", lock->remark());
     } catch (const InputError& error) {
       refusal = error.what();
@@ -159,7 +159,7 @@ int run_in_time(Problem& problem, const Options& options, const Communicator& co
 int run(const Options& options, const Communicator& communicator) {
   const double begin = steady_seconds();
   deck::Deck deck = read_deck(options, communicator);
-  const std::optional<output::DirectoryLock> lock = lock_directory(options, communicator);
+  const std::unique_ptr<output::DirectoryLock> lock = lock_directory(options, communicator);
   const std::optional<Restart> from = find_restart(options, deck, communicator);
   Problem problem = prepare(std::move(deck), communicator);
   note_stop_signals(communicator.is_root());

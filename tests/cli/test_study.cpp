@@ -154,7 +154,7 @@ TEST(Study, HasItsFolderToItself) {
 TEST(Study, MeasuresWhatAStoppedRunHasReached) {
   const Folder folder;
   folder.write("deck.yaml", testing::snapping_bar);
-  folder.write("study.yaml", R"(deck: deck.yaml
+  folder.write("study.yaml", R"yaml(deck: deck.yaml
 set: {steps.end: 0.25, steps.count: 5}
 sweep: [{key: fallback, values: [none, automatic]}]
 measures:
@@ -167,10 +167,9 @@ measures:
   - {name: broken_at, history: t, take: first, where: "broken_bonds > 0"}
   - {name: ratio, history: "stretch/t", take: max, where: "step > 0"}
   - {name: senseless, history: "stretch/t", take: max}
-  - {name: infinite, history: "1/(step - step)"
-}
+  - {name: infinite, history: "1/(step - step)"}
   - {name: finish, history: t}
-)");
+)yaml");
   const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r", "--quiet"});
   EXPECT_EQ(outcome.status, 1);
   const std::string csv = read(folder.path() / "r/study.csv");
@@ -204,187 +203,186 @@ measures:
   }
   EXPECT_THAT(csv, HasSubstr("the measure senseless is "));
   EXPECT_THAT(csv, HasSubstr("in step 0, t = 0; leave rows out"));
-  }
+}
 
-  TEST(Study, AMeasureThatIsNotFiniteIsAFailure) {
-    const Folder folder;
-    folder.write("strip.yaml", strip);
-    folder.write("study.yaml",
-                 "deck: strip.yaml\nsweep: [{key: body.0.spacing, values: [1]}]\nmeasures: [{name: F, history: "
-                 "\"pull/(step - 2)\"}]\n");
-    const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r", "--quiet"});
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_THAT(outcome.error, HasSubstr("warning: 1 of 1 runs stopped short or could not be measured"));
-    EXPECT_THAT(read(folder.path() / "r/study.csv"), HasSubstr("F of the run in r/runs/spacing-1 is inf"));
-    EXPECT_EQ(table_of(folder.path() / "r/study.csv")[0].at("F"), "");
-  }
+TEST(Study, AMeasureThatIsNotFiniteIsAFailure) {
+  const Folder folder;
+  folder.write("strip.yaml", strip);
+  folder.write("study.yaml",
+               "deck: strip.yaml\nsweep: [{key: body.0.spacing, values: [1]}]\nmeasures: [{name: F, history: "
+               "\"pull/(step - 2)\"}]\n");
+  const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r", "--quiet"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.error, HasSubstr("warning: 1 of 1 runs stopped short or could not be measured"));
+  EXPECT_THAT(read(folder.path() / "r/study.csv"), HasSubstr("F of the run in r/runs/spacing-1 is inf"));
+  EXPECT_EQ(table_of(folder.path() / "r/study.csv")[0].at("F"), "");
+}
 
-  TEST(Study, TakesUpWhereItWasKilled) {
-    const Folder folder;
-    folder.write("strip.yaml", strip);
-    folder.write("study.yaml", changed(sweep_study, "[whole, position-aware]", "[whole]"));
-    ASSERT_EQ(folder.perinox({"study", "study.yaml", "--quiet", "--output", "whole"}).status, 0);
-    // Killed outright as soon as the first run is finished.
-    const std::string runs = "killed/runs/";
-    const Outcome killed =
-        folder.run("/bin/sh", {"-c", std::string(PERINOX_BINARY) +
-                                         " study study.yaml --quiet --output killed & pid=$!; while [ ! -e " + runs +
-                                         "quadrature-whole_spacing-1/record.yaml ]; do sleep 0.02; done; kill -9 $pid; "
-                                         "wait $pid 2>/dev/null; exit 0"});
-    ASSERT_EQ(killed.status, 0);
-    ASSERT_FALSE(std::filesystem::exists(folder.path() / "killed/study.csv"));
-    const std::string first = read(folder.path() / (runs + "quadrature-whole_spacing-1/record.yaml"));
-    const Outcome second = folder.perinox({"study", "study.yaml", "--output", "killed"});
-    EXPECT_EQ(second.status, 0);
-    EXPECT_THAT(second.out, HasSubstr("2 runs of strip.yaml, 1 of them finished earlier; in killed\n"));
-    EXPECT_THAT(second.out, HasSubstr("1/2  quadrature-whole_spacing-1  finished earlier\n"));
-    EXPECT_EQ(read(folder.path() / (runs + "quadrature-whole_spacing-1/record.yaml")), first);
-    EXPECT_EQ(without_costs(table_of(folder.path() / "killed/study.csv")),
-              without_costs(table_of(folder.path() / "whole/study.csv")));
+TEST(Study, TakesUpWhereItWasKilled) {
+  const Folder folder;
+  folder.write("strip.yaml", strip);
+  folder.write("study.yaml", changed(sweep_study, "[whole, position-aware]", "[whole]"));
+  ASSERT_EQ(folder.perinox({"study", "study.yaml", "--quiet", "--output", "whole"}).status, 0);
+  // Killed outright as soon as the first run is finished.
+  const std::string runs = "killed/runs/";
+  const Outcome killed =
+      folder.run("/bin/sh", {"-c", std::string(PERINOX_BINARY) +
+                                       " study study.yaml --quiet --output killed & pid=$!; while [ ! -e " + runs +
+                                       "quadrature-whole_spacing-1/record.yaml ]; do sleep 0.02; done; kill -9 $pid; "
+                                       "wait $pid 2>/dev/null; exit 0"});
+  ASSERT_EQ(killed.status, 0);
+  ASSERT_FALSE(std::filesystem::exists(folder.path() / "killed/study.csv"));
+  const std::string first = read(folder.path() / (runs + "quadrature-whole_spacing-1/record.yaml"));
+  const Outcome second = folder.perinox({"study", "study.yaml", "--output", "killed"});
+  EXPECT_EQ(second.status, 0);
+  EXPECT_THAT(second.out, HasSubstr("2 runs of strip.yaml, 1 of them finished earlier; in killed\n"));
+  EXPECT_THAT(second.out, HasSubstr("1/2  quadrature-whole_spacing-1  finished earlier\n"));
+  EXPECT_EQ(read(folder.path() / (runs + "quadrature-whole_spacing-1/record.yaml")), first);
+  EXPECT_EQ(without_costs(table_of(folder.path() / "killed/study.csv")),
+            without_costs(table_of(folder.path() / "whole/study.csv")));
 
-    // Once more: nothing is run, and the table is the same to the last digit.
-    const std::string table = read(folder.path() / "killed/study.csv");
-    const Outcome third = folder.perinox({"study", "study.yaml", "--output", "killed"});
-    EXPECT_THAT(third.out, HasSubstr("2 of them finished earlier"));
-    EXPECT_EQ(read(folder.path() / "killed/study.csv"), table);
+  // Once more: nothing is run, and the table is the same to the last digit.
+  const std::string table = read(folder.path() / "killed/study.csv");
+  const Outcome third = folder.perinox({"study", "study.yaml", "--output", "killed"});
+  EXPECT_THAT(third.out, HasSubstr("2 of them finished earlier"));
+  EXPECT_EQ(read(folder.path() / "killed/study.csv"), table);
 
-    // Another deck makes every run another one; so does --again.
-    folder.write("strip.yaml", changed(strip, "count: 2", "count: 1"));
-    EXPECT_THAT(folder.perinox({"study", "study.yaml", "--output", "killed", "--plan"}).out,
-                HasSubstr("0 of them finished earlier"));
-    folder.write("strip.yaml", strip);
-    EXPECT_THAT(folder.perinox({"study", "study.yaml", "--output", "killed", "--plan", "--again"}).out,
-                HasSubstr("0 of them finished earlier"));
-    EXPECT_THAT(folder.perinox({"study", "study.yaml", "--output", "killed", "--plan"}).out,
-                HasSubstr("2 of them finished earlier"));
-  }
+  // Another deck makes every run another one; so does --again.
+  folder.write("strip.yaml", changed(strip, "count: 2", "count: 1"));
+  EXPECT_THAT(folder.perinox({"study", "study.yaml", "--output", "killed", "--plan"}).out,
+              HasSubstr("0 of them finished earlier"));
+  folder.write("strip.yaml", strip);
+  EXPECT_THAT(folder.perinox({"study", "study.yaml", "--output", "killed", "--plan", "--again"}).out,
+              HasSubstr("0 of them finished earlier"));
+  EXPECT_THAT(folder.perinox({"study", "study.yaml", "--output", "killed", "--plan"}).out,
+              HasSubstr("2 of them finished earlier"));
+}
 
-  TEST(Study, ARunThatStopsShortIsARow) {
-    const Folder folder;
-    folder.write("strip.yaml", strip);
-    folder.write("study.yaml",
-                 "title: strip\ndeck: strip.yaml\nset: {steps.adaptive: false, solver.newton.tolerance: 1e-11}\n"
-                 "sweep: [{key: solver.newton.max_iterations, values: [1, 6]}]\n"
-                 "measures: [{name: F, history: pull}]\n");
-    const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r"});
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.error, "warning: 1 of 2 runs stopped short or could not be measured; r/study.csv says why\n");
-    const Table table = table_of(folder.path() / "r/study.csv");
-    ASSERT_EQ(table.size(), 2);
-    EXPECT_EQ(table[0].at("status"), "1");
-    EXPECT_THAT(table[0].at("reason"), StartsWith("\"stopped at t = 0 of 1"));
-    EXPECT_EQ(table[1].at("status"), "0");
-    EXPECT_GT(std::abs(std::stod(table[1].at("F"))), 0);
-    EXPECT_THAT(read(folder.path() / "r/study.md"), HasSubstr("- max-iterations-1: stopped at t = 0 of 1"));
-    EXPECT_THAT(folder.perinox({"study", "study.yaml", "--output", "r"}).out, HasSubstr("2 of them finished earlier"));
-  }
+TEST(Study, ARunThatStopsShortIsARow) {
+  const Folder folder;
+  folder.write("strip.yaml", strip);
+  folder.write("study.yaml",
+               "title: strip\ndeck: strip.yaml\nset: {steps.adaptive: false, solver.newton.tolerance: 1e-11}\n"
+               "sweep: [{key: solver.newton.max_iterations, values: [1, 6]}]\n"
+               "measures: [{name: F, history: pull}]\n");
+  const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.error, "warning: 1 of 2 runs stopped short or could not be measured; r/study.csv says why\n");
+  const Table table = table_of(folder.path() / "r/study.csv");
+  ASSERT_EQ(table.size(), 2);
+  EXPECT_EQ(table[0].at("status"), "1");
+  EXPECT_THAT(table[0].at("reason"), StartsWith("\"stopped at t = 0 of 1"));
+  EXPECT_EQ(table[1].at("status"), "0");
+  EXPECT_GT(std::abs(std::stod(table[1].at("F"))), 0);
+  EXPECT_THAT(read(folder.path() / "r/study.md"), HasSubstr("- max-iterations-1: stopped at t = 0 of 1"));
+  EXPECT_THAT(folder.perinox({"study", "study.yaml", "--output", "r"}).out, HasSubstr("2 of them finished earlier"));
+}
 
-  TEST(Study, RunsOnSeveralRanksTwice) {
-    const Folder folder;
-    folder.write("strip.yaml", strip);
-    folder.write(
-        "study.yaml",
-        "deck: strip.yaml\nrepeat: 2\nsweep: [{key: ranks, values: [1, 2]}]\nmeasures: [{name: F, history: pull}]\n");
-    ASSERT_EQ(folder.perinox({"study", "study.yaml", "--output", "r"}).status, 0);
-    const Table table = table_of(folder.path() / "r/study.csv");
-    ASSERT_EQ(table.size(), 2);
-    EXPECT_EQ(table[1].at("ranks"), "2");
-    EXPECT_NEAR(std::stod(table[1].at("F")) / std::stod(table[0].at("F")), 1, 1e-9);
-    EXPECT_THAT(read(folder.path() / "r/runs/ranks-2/run.log"), HasSubstr("  2 ranks: particles "));
-    EXPECT_FALSE(std::filesystem::exists(folder.path() / "r/runs/ranks-2.repeat"));
-  }
+TEST(Study, RunsOnSeveralRanksTwice) {
+  const Folder folder;
+  folder.write("strip.yaml", strip);
+  folder.write(
+      "study.yaml",
+      "deck: strip.yaml\nrepeat: 2\nsweep: [{key: ranks, values: [1, 2]}]\nmeasures: [{name: F, history: pull}]\n");
+  ASSERT_EQ(folder.perinox({"study", "study.yaml", "--output", "r"}).status, 0);
+  const Table table = table_of(folder.path() / "r/study.csv");
+  ASSERT_EQ(table.size(), 2);
+  EXPECT_EQ(table[1].at("ranks"), "2");
+  EXPECT_NEAR(std::stod(table[1].at("F")) / std::stod(table[0].at("F")), 1, 1e-9);
+  EXPECT_THAT(read(folder.path() / "r/runs/ranks-2/run.log"), HasSubstr("  2 ranks: particles "));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "r/runs/ranks-2.repeat"));
+}
 
-  TEST(Study, OfNewtonTellsTheOrder) {
-    const Folder folder;
-    folder.write("deck.yaml", base_deck);
-    folder.write("study.yaml",
-                 "kind: newton\ndeck: deck.yaml\n"
-                 "set: {solver.newton.forcing: constant, solver.linear.tolerance: 1e-12, solver.newton.line_search: "
-                 "full-step, solver.newton.tolerance: 1e-12, solver.newton.update_tolerance: 1}\n"
-                 "sweep: [{key: solver.form, values: [consistent]}]\n");
-    const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r"});
-    ASSERT_EQ(outcome.status, 0) << outcome.error;
-    EXPECT_THAT(outcome.out, HasSubstr("relative residual against Newton iteration\n"));
-    EXPECT_GE(std::stod(table_of(folder.path() / "r/study.csv").at(0).at("newton_order")), 1.7);
-    EXPECT_TRUE(std::filesystem::is_regular_file(folder.path() / "r/newton.svg"));
-  }
+TEST(Study, OfNewtonTellsTheOrder) {
+  const Folder folder;
+  folder.write("deck.yaml", base_deck);
+  folder.write("study.yaml",
+               "kind: newton\ndeck: deck.yaml\n"
+               "set: {solver.newton.forcing: constant, solver.linear.tolerance: 1e-12, solver.newton.line_search: "
+               "full-step, solver.newton.tolerance: 1e-12, solver.newton.update_tolerance: 1}\n"
+               "sweep: [{key: solver.form, values: [consistent]}]\n");
+  const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_THAT(outcome.out, HasSubstr("relative residual against Newton iteration\n"));
+  EXPECT_GE(std::stod(table_of(folder.path() / "r/study.csv").at(0).at("newton_order")), 1.7);
+  EXPECT_TRUE(std::filesystem::is_regular_file(folder.path() / "r/newton.svg"));
+}
 
-  TEST(Study, IsRefusedBeforeAnythingRuns) {
-    const Folder folder;
-    folder.write("strip.yaml", strip);
-    const std::pair<std::string, std::string> mistakes[] = {
-        {changed(sweep_study, "values: [whole,", "values: [hole,"),
-         "--set quadrature=hole: quadrature cannot be 'hole'; did you mean whole? (in the run "
-         "quadrature-hole_spacing-1 "
-         "of "
-         "study.yaml)\n"},
-        {changed(sweep_study, "body.0.spacing", "body.0.spacng"),
-         "--set body.0.spacng=1: spacng is not a key of a body; did you mean spacing? (in the run "
-         "quadrature-whole_spacng-1 "
-         "of study.yaml)\n"},
-        {changed(sweep_study, "pull/6", "pul/6"),
-         "study.yaml:7:5: pul in the formula 'pul/6' is not known; did you mean pull?\n"},
-        {changed(sweep_study, "field: displacement, sol", "field: damage, sol"),
-         "study.yaml:8:5: the runs do not write the field damage; the deck's output.fields says which they write\n"},
-        {changed(sweep_study, "{x: \"1e-3*x*t\"}", "{xx: 1}"),
-         "study.yaml:8:5: xx is no component of the field displacement; it has x, y and z\n"},
-        {changed(sweep_study, "1e-3*x*t", "1e-3*x*"),
-         "study.yaml:8:5: the formula '1e-3*x*' cannot be read at character 8: it ends too early\n"},
-    };
-    for (const auto& [study, sentence] : mistakes) {
-      folder.write("study.yaml", study);
-      const Outcome outcome = folder.perinox({"study", "study.yaml"});
-      EXPECT_EQ(outcome.status, 2);
-      EXPECT_EQ(outcome.error, sentence);
-      EXPECT_EQ(outcome.out, "");
-      EXPECT_THAT(folder.names(), ElementsAre("strip.yaml", "study.yaml"));
-    }
-    EXPECT_EQ(folder.perinox({"study", "none.yaml"}).error,
-              "none.yaml: there is no study of this name; check the path\n");
-  }
-
-  // What only a run finds out: a piece that can move.
-  TEST(Study, StopsAtADeckThatItsRunRefuses) {
-    const Folder folder;
-    folder.write("strip.yaml", changed(changed(strip, "{x: \"1e-3*x*t\", y: 0}", "{x: 0}"), "{x: \"1e-3*x*t\", y: 0}",
-                                       "{x: \"1e-3*x*t\"}"));
-    folder.write("study.yaml", sweep_study);
-    const Outcome outcome = folder.perinox({"study", "study.yaml", "--quiet"});
+TEST(Study, IsRefusedBeforeAnythingRuns) {
+  const Folder folder;
+  folder.write("strip.yaml", strip);
+  const std::pair<std::string, std::string> mistakes[] = {
+      {changed(sweep_study, "values: [whole,", "values: [hole,"),
+       "--set quadrature=hole: quadrature cannot be 'hole'; did you mean whole? (in the run "
+       "quadrature-hole_spacing-1 "
+       "of "
+       "study.yaml)\n"},
+      {changed(sweep_study, "body.0.spacing", "body.0.spacng"),
+       "--set body.0.spacng=1: spacng is not a key of a body; did you mean spacing? (in the run "
+       "quadrature-whole_spacng-1 "
+       "of study.yaml)\n"},
+      {changed(sweep_study, "pull/6", "pul/6"),
+       "study.yaml:7:5: pul in the formula 'pul/6' is not known; did you mean pull?\n"},
+      {changed(sweep_study, "field: displacement, sol", "field: damage, sol"),
+       "study.yaml:8:5: the runs do not write the field damage; the deck's output.fields says which they write\n"},
+      {changed(sweep_study, "{x: \"1e-3*x*t\"}", "{xx: 1}"),
+       "study.yaml:8:5: xx is no component of the field displacement; it has x, y and z\n"},
+      {changed(sweep_study, "1e-3*x*t", "1e-3*x*"),
+       "study.yaml:8:5: the formula '1e-3*x*' cannot be read at character 8: it ends too early\n"},
+  };
+  for (const auto& [study, sentence] : mistakes) {
+    folder.write("study.yaml", study);
+    const Outcome outcome = folder.perinox({"study", "study.yaml"});
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_THAT(outcome.error, StartsWith("strip.yaml:8:3: the prescribed displacements do not hold the body plate"));
-    EXPECT_THAT(outcome.error, HasSubstr(" (in the run quadrature-whole_spacing-1 of study.yaml)\n"));
+    EXPECT_EQ(outcome.error, sentence);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(folder.names(), ElementsAre("strip.yaml", "study.yaml"));
   }
+  EXPECT_EQ(folder.perinox({"study", "none.yaml"}).error,
+            "none.yaml: there is no study of this name; check the path\n");
+}
 
-  TEST(Study, SaysThatItRunsOnOneRank) {
-    const Folder folder;
-    folder.write("strip.yaml", strip);
-    folder.write("study.yaml", sweep_study);
-    const Outcome outcome = folder.perinox_on_ranks(2, {"study", "study.yaml"});
-    EXPECT_EQ(outcome.status, 2);
-    EXPECT_THAT(outcome.error,
-                HasSubstr("perinox study was started on 2 ranks, but it runs on one and starts its runs by "
-                          "itself; leave mpirun out, and sweep the key ranks to run decks on several\n"));
+// What only a run finds out: a piece that can move.
+TEST(Study, StopsAtADeckThatItsRunRefuses) {
+  const Folder folder;
+  folder.write("strip.yaml", changed(changed(strip, "{x: \"1e-3*x*t\", y: 0}", "{x: 0}"), "{x: \"1e-3*x*t\", y: 0}",
+                                     "{x: \"1e-3*x*t\"}"));
+  folder.write("study.yaml", sweep_study);
+  const Outcome outcome = folder.perinox({"study", "study.yaml", "--quiet"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.error, StartsWith("strip.yaml:8:3: the prescribed displacements do not hold the body plate"));
+  EXPECT_THAT(outcome.error, HasSubstr(" (in the run quadrature-whole_spacing-1 of study.yaml)\n"));
+}
+
+TEST(Study, SaysThatItRunsOnOneRank) {
+  const Folder folder;
+  folder.write("strip.yaml", strip);
+  folder.write("study.yaml", sweep_study);
+  const Outcome outcome = folder.perinox_on_ranks(2, {"study", "study.yaml"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.error,
+              HasSubstr("perinox study was started on 2 ranks, but it runs on one and starts its runs by "
+                        "itself; leave mpirun out, and sweep the key ranks to run decks on several\n"));
+}
+
+TEST(Study, TheExamplesAreValid) {
+  const Folder folder;
+  std::size_t studies = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(PERINOX_SOURCE_DIR "/studies")) {
+    ++studies;
+    const Outcome outcome = folder.perinox({"study", entry.path().string(), "--plan"});
+    EXPECT_EQ(outcome.status, 0) << entry.path() << ": " << outcome.error;
+    EXPECT_THAT(read(entry.path()), HasSubstr("#   perinox study studies/" + entry.path().filename().string() + "\n"));
   }
+  EXPECT_GE(studies, 3);
+}
 
-  TEST(Study, TheExamplesAreValid) {
-    const Folder folder;
-    std::size_t studies = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(PERINOX_SOURCE_DIR "/studies")) {
-      ++studies;
-      const Outcome outcome = folder.perinox({"study", entry.path().string(), "--plan"});
-      EXPECT_EQ(outcome.status, 0) << entry.path() << ": " << outcome.error;
-      EXPECT_THAT(read(entry.path()),
-                  HasSubstr("#   perinox study studies/" + entry.path().filename().string() + "\n"));
-    }
-    EXPECT_GE(studies, 3);
-  }
+TEST(Study, ThePageHoldsTheTableOfKeys) {
+  const Folder folder;
+  const std::string table = folder.perinox({"help", "--study"}).out;
+  EXPECT_THAT(table, StartsWith("| key | type |"));
+  EXPECT_THAT(read(PERINOX_SOURCE_DIR "/docs/studies.md"), HasSubstr(table)) << "write it anew: perinox help --study";
+}
 
-  TEST(Study, ThePageHoldsTheTableOfKeys) {
-    const Folder folder;
-    const std::string table = folder.perinox({"help", "--study"}).out;
-    EXPECT_THAT(table, StartsWith("| key | type |"));
-    EXPECT_THAT(read(PERINOX_SOURCE_DIR "/docs/studies.md"), HasSubstr(table)) << "write it anew: perinox help --study";
-  }
-
-  }  // namespace
-  }  // namespace perinox::cli
+}  // namespace
+}  // namespace perinox::cli
