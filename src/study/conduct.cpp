@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "perinox/core/error.hpp"
 #include "perinox/deck/read.hpp"
@@ -55,7 +57,21 @@ std::vector<Prepared> prepare(const Study& study, const Request& request, const 
   return all;
 }
 
+/// A run of a study that was killed finishes its step before it ends, and writes into its folder until then. Throws
+/// InputError if that takes longer than a minute.
+void wait_until_free(const std::string& folder, const std::string& deck) {
+  for (int tries = 0;; ++tries) try {
+      const output::DirectoryLock lock(folder, deck);
+      return;
+    } catch (const InputError&) {
+      constexpr int most_tries = 600;
+      if (tries == most_tries) throw;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+}
+
 RunRecord run_in(const std::string& folder, const Study& study, const Prepared& one) {
+  if (fs::is_directory(folder)) wait_until_free(folder, study.deck);
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::vector<std::string> command{own_path(), "run", study.deck, "--output", folder};

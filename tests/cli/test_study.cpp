@@ -205,6 +205,34 @@ measures:
   EXPECT_THAT(csv, HasSubstr("in step 0, t = 0; leave rows out"));
 }
 
+TEST(Study, ComponentsOfTensorsAreTakenByTheirNames) {
+  const Folder folder;
+  folder.write("strip.yaml", R"yaml(dimension: plane-strain
+body: [{name: plate, shape: {box: {min: [0, 0], max: [6, 6]}}, spacing: 1, material: steel}]
+horizon: {ratio: 2.015}
+deformation: small
+materials: {steel: {model: elastic, bulk_modulus: 160e3, shear_modulus: 80e3}}
+boundary: [{set: all, displacement: {x: "(1e-3*x + 1e-3*y)*t", y: "(2e-3*x + 4e-3*y)*t"}}]
+steps: {end: 1, count: 1}
+output: {fields: [strain]}
+)yaml");
+  folder.write("study.yaml", R"yaml(deck: strip.yaml
+sweep: [{key: body.0.spacing, values: [1]}]
+measures:
+  - {name: whole, field: strain, solution: {xx: 1e-3, xy: 1.5e-3, xz: 0, yy: 4e-3, yz: 0, zz: 0}}
+  - {name: xx, field: strain, solution: {xx: 2e-3}}
+  - {name: yy, field: strain, solution: {yy: 2e-3}}
+  - {name: xy, field: strain, solution: {xy: 3e-3}}
+)yaml");
+  const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r", "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const auto row = table_of(folder.path() / "r/study.csv")[0];
+  EXPECT_LT(std::stod(row.at("whole_error")), 1e-12);
+  EXPECT_NEAR(std::stod(row.at("xx_error")), 0.5, 1e-12);
+  EXPECT_NEAR(std::stod(row.at("yy_error")), 1, 1e-12);
+  EXPECT_NEAR(std::stod(row.at("xy_error")), 0.5, 1e-12);
+}
+
 TEST(Study, AMeasureThatIsNotFiniteIsAFailure) {
   const Folder folder;
   folder.write("strip.yaml", strip);
