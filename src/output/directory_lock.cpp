@@ -59,6 +59,14 @@ DirectoryLock::~DirectoryLock() {
     if (!fs::remove(directory, not_empty)) break;
 }
 
+bool DirectoryLock::held(const std::string& directory) {
+  const int file = ::open((fs::path(directory) / "run.lock").c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool taken = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(file);
+  return taken;
+}
+
 void DirectoryLock::make_directory() {
   std::error_code error;
   for (fs::path missing = fs::absolute(directory_).lexically_normal(); !missing.empty() && !fs::exists(missing, error);

@@ -60,14 +60,10 @@ std::vector<Prepared> prepare(const Study& study, const Request& request, const 
 /// A run of a study that was killed finishes its step before it ends, and writes into its folder until then. Throws
 /// InputError if that takes longer than a minute.
 void wait_until_free(const std::string& folder, const std::string& deck) {
-  for (int tries = 0;; ++tries) try {
-      const output::DirectoryLock lock(folder, deck);
-      return;
-    } catch (const InputError&) {
-      constexpr int most_tries = 600;
-      if (tries == most_tries) throw;
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
+  constexpr int most_looks = 600;
+  for (int looks = 0; looks < most_looks && output::DirectoryLock::held(folder); ++looks)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const output::DirectoryLock lock(folder, deck);
 }
 
 RunRecord run_in(const std::string& folder, const Study& study, const Prepared& one) {

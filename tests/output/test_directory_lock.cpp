@@ -32,11 +32,13 @@ TEST(DirectoryLock, KeepsOthersOutAndSaysWhoseItIs) {
   {
     const DirectoryLock lock(directory.path(), "inputs/first.yaml");
     EXPECT_EQ(lock.remark(), "");
+    EXPECT_TRUE(DirectoryLock::held(directory.path()));
     EXPECT_THAT(refusal_of(directory.path()),
                 AllOf(HasSubstr(directory.path() + " is in use by process " + std::to_string(::getpid()) + " on "),
                       HasSubstr(fs::absolute("inputs/first.yaml").string()),
                       HasSubstr("choose another directory with --output")));
   }
+  EXPECT_FALSE(DirectoryLock::held(directory.path()));
   EXPECT_EQ(refusal_of(directory.path()), "");
   EXPECT_FALSE(fs::exists(directory / "run.lock"));
 }

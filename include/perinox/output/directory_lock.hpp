@@ -18,6 +18,9 @@ class DirectoryLock {
   DirectoryLock(const DirectoryLock&) = delete;
   DirectoryLock& operator=(const DirectoryLock&) = delete;
 
+  /// True if some process holds the lock of a directory.
+  static bool held(const std::string& directory);
+
   /// A sentence where the file system has no locks, so that nothing keeps others out; else "".
   const std::string& remark() const { return remark_; }
 
