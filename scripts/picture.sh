@@ -93,10 +93,7 @@ across=2 up=3
 [ "$entries" -lt 2 ] || across=3 up=4
 [ "$entries" -gt 0 ] || [ -z "$(column released_energy)" ] || up=$(column released_energy)
 across_name=${header[across - 1]//_/ } up_name=${header[up - 1]//_/ }
-{ # the curve starts at rest
-  echo "0 0"
-  awk -F, -v a=$across -v u=$up 'NR > 1 {print $a, $u}' "$results/history.csv"
-} >"$work/curve"
+awk -F, -v a=$across -v u=$up 'NR > 1 {print $a, $u}' "$results/history.csv" >"$work/curve"
 title=$(h5dump -a /title "$h5" | sed -n 's/^ *(0): "\(.*\)"$/\1/p')
 t_short=$(awk -v t="$t" 'BEGIN {printf "%.4g", t}')
 enlarged=$([ "$scale" = 1 ] || echo ", displacements × $scale")

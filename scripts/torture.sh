@@ -27,7 +27,7 @@ boundary:
   - {set: foot, displacement: {x: 0, y: 0, z: 0}}
   - {set: head, displacement: {x: "0.02*t", y: 0, z: "0.12*sin(4*t)"}}
 steps: {end: 1, count: 40}
-output: {fields: [displacement, force, plastic_multiplier]}
+output: {fields: [displacement, force, plastic_multiplier], checkpoint_every: 1}
 history: [{name: pull, reaction: head, component: z}, {name: plastic, yielded: all}]
 DECK
 
@@ -45,7 +45,7 @@ boundary:
   - {set: pulled, force: {x: "60*t"}}
 fracture: {unbreakable: [wall, pulled]}
 steps: {end: 1, count: 20}
-output: {fields: [displacement, damage], checkpoint_seconds: 0.01}
+output: {fields: [displacement, damage], checkpoint_every: 1, checkpoint_seconds: 0.01}
 history: [{name: stretch, displacement: pulled, component: x}]
 DECK
 # Blocks that collide, flow and break in time, in few rows of many time steps.
@@ -63,7 +63,7 @@ explicit: {contact: {distance: 0.9}}
 initial_velocity: [{set: left, velocity: {x: 1e5, z: 2e4}}, {set: right, velocity: {x: -1e5}}]
 boundary: []
 steps: {end: 6e-5, count: 4}
-output: {fields: [displacement, velocity, damage], checkpoint_seconds: 0.01}
+output: {fields: [displacement, velocity, damage], checkpoint_every: 1, checkpoint_seconds: 0.01}
 history: [{name: left, displacement: left, component: x}]
 DECK
 
@@ -78,7 +78,7 @@ numbers() { # without the times
   awk -F, 'NR == 1 {for (k = 1; k <= NF; ++k) keep[k] = $k !~ /^seconds/}
     {line = ""; for (k = 1; k <= NF; ++k) if (keep[k]) line = line "," $k; print line}' "$1/history.csv"
 }
-rows() { cat "$1/history.csv" 2> /dev/null | grep -c '^[0-9].*[0-9]$'; }
+rows() { cat "$1/history.csv" 2> /dev/null | grep -c '^[1-9].*[0-9]$'; } # of steps; 0 is the start
 
 # The run of the deck that nothing happens to, and the seconds it takes.
 undisturbed() {

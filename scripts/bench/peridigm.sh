@@ -65,7 +65,7 @@ measure_peridigm_scenes() {
     timed 1 "$build_dir/perinox" run "$deck" --output "$scratch/results"
     awk -F , -v scene="$scene" '
       NR == 1 {for (k = 1; k <= NF; ++k) column[$k] = k; next}
-      {print scene "\t" $column["step"] "\t" $column["pull"]}' "$scratch/results/history.csv"
+      $column["step"] > 0 {print scene "\t" $column["step"] "\t" $column["pull"]}' "$scratch/results/history.csv"
   done >"$measured/reactions.tsv"
 }
 

@@ -58,12 +58,13 @@ sums_of() {
   awk -F , '
     NR == 1 {for (k = 1; k <= NF; ++k) column[$k] = k; next}
     function value(name) {return name in column ? $column[name] : 0}
-    {
+    $column["step"] > 0 {
+      ++steps
       newton += value("newton_iterations"); linear += value("linear_iterations"); products += value("products")
       product += value("seconds_product"); preconditioner += value("seconds_preconditioner")
       halo += value("seconds_halo"); yielded = value("yielded")
     }
-    END {OFS = "\t"; print NR - 1, newton, linear, products, product, preconditioner, halo, yielded}' "$1"
+    END {OFS = "\t"; print steps, newton, linear, products, product, preconditioner, halo, yielded}' "$1"
 }
 
 # one_run SCENE N RANKS WAY DECK [OPTION ...]: a row of runs.tsv: scene, n, ranks, way, steps, Newton, linear, products,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <sstream>
 
 #include "perinox/core/error.hpp"
 #include "perinox/deck/read.hpp"
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 /// A step is taken for granted to last this many times the one before at most.
 constexpr double caution = 1.25;
-/// Within a step a checkpoint comes after so many times what the last one took at the earliest.
+/// By the clock a checkpoint comes after so many times what the last one took at the earliest: 5 % of a run at most.
 constexpr double most_writing = 20;
 
 /// The longest time from one moment to the next, of late: a long one is forgotten slowly, so that one short one after
@@ -27,6 +28,23 @@ double of_late(double longest, double& last) {
   const double now = steady_seconds(), since = now - last;
   last = now;
   return std::max(since, 0.8 * longest);
+}
+
+/// The sentence about the first file of the deck that holds something else than when the checkpoint was written; "" if
+/// there is none. now: output::file_fingerprints().
+std::string refuse_other_files(const deck::Deck& deck, const Restart& from, const std::string& now) {
+  if (from.head.files.empty()) return "";  // none, or an earlier version did not note it
+  std::istringstream before(from.head.files), after(now);
+  const std::vector<deck::InputFile> files = deck::input_files(deck);
+  std::string there, here;
+  for (std::size_t k = 0; k < files.size() && std::getline(after, here); ++k) {
+    if (std::getline(before, there) && there == here) continue;
+    return fmt::format(
+        "{}: the file {} of {} does not hold what it held when {} was written: put the old one back, or start anew "
+        "without --restart",
+        deck.file, files[k].path, files[k].key, from.file);
+  }
+  return "";
 }
 
 /// As a shell takes it for one word.
@@ -46,13 +64,18 @@ double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::optional<Restart> find_restart(const Options& options, const deck::Deck& deck, const Communicator& communicator) {
-  if (options.restart.empty()) return {};
+Restart restart_of(const Options& options) {
   Restart from;
   from.file =
       fs::is_directory(options.restart) ? (fs::path(options.restart) / "checkpoint.h5").string() : options.restart;
   from.directory = fs::path(from.file).parent_path().string();
   if (from.directory.empty()) from.directory = ".";
+  return from;
+}
+
+std::optional<Restart> find_restart(const Options& options, const deck::Deck& deck, const Communicator& communicator) {
+  if (options.restart.empty()) return {};
+  Restart from = restart_of(options);
   from.head = output::read_checkpoint_head(from.file, communicator);
   std::string sentence = deck::not_in_checkpoints(deck);
   if (!sentence.empty())
@@ -60,13 +83,14 @@ std::optional<Restart> find_restart(const Options& options, const deck::Deck& de
                            deck.file, sentence);
   communicator.agree_on_input_error(sentence);
   try {
-    const deck::Deck before = deck::read_text(from.head.deck, "the deck in " + from.file, full_schema());
+    const deck::Deck before = deck::read_saved(from.head.deck, "the deck in " + from.file, full_schema());
     sentence = deck::refuse_changes(deck::changed_keys(before.resolved, deck.resolved), deck, from.file, from.head.t);
   } catch (const InputError& error) {
     sentence =
         fmt::format("{} (written by perinox {}; this is {})", error.what(), from.head.perinox_version, PERINOX_VERSION);
   }
   communicator.agree_on_input_error(sentence);
+  communicator.agree_on_input_error(refuse_other_files(deck, from, output::file_fingerprints(deck, communicator)));
   return from;
 }
 
@@ -80,7 +104,8 @@ Checkpointing::Checkpointing(const Options& options, const deck::Deck& deck, std
       communicator_(body.communicator),
       asked_(deck::checkpoints(deck)),
       possible_(deck::not_in_checkpoints(deck).empty()),
-      resolved_(deck::write_resolved(deck)),
+      resolved_(deck::write_resolved(deck, deck::folder_of(deck.file))),
+      files_(output::file_fingerprints(deck, communicator_)),
       file_((fs::path(directory) / "checkpoint.h5").string(), body),
       begin_(begin),
       last_(steady_seconds()),
@@ -88,7 +113,8 @@ Checkpointing::Checkpointing(const Options& options, const deck::Deck& deck, std
       last_write_(last_) {}
 
 void Checkpointing::committed(const solve::StepRecord& record) {
-  const bool due = possible_ && asked_.every > 0 && (record.last || record.step % asked_.every == 0);
+  const bool never = !possible_ || asked_.every == 0;
+  const bool due = !never && (record.last || (asked_.every ? record.step % *asked_.every == 0 : late()));
   if (due) write(record.step, record.t, false);
   longest_ = of_late(longest_, last_);
   last_pass_ = last_;
@@ -99,11 +125,18 @@ void Checkpointing::committed(const solve::StepRecord& record) {
       fmt::format("stopped after step {}, t = {:.10g} of {:g}: {}", record.step, record.t, deck_.steps.end, reason));
 }
 
+void Checkpointing::stopping(const solve::StepRecord& last) {
+  if (possible_ && asked_.every != 0 && last_step_ != last.step) write(last.step, last.t, false);
+}
+
+bool Checkpointing::late() const {
+  return communicator_.any(steady_seconds() - last_write_ >= std::max(asked_.seconds, most_writing * writing_));
+}
+
 void Checkpointing::passing(int step, double t) {
   longest_pass_ = of_late(longest_pass_, last_pass_);
   const std::string reason = reason_to_stop(caution * (longest_pass_ + writing_));
-  const bool late = last_pass_ - last_write_ >= std::max(asked_.seconds, most_writing * writing_);
-  const bool due = possible_ && asked_.every > 0 && communicator_.any(late);
+  const bool due = possible_ && asked_.every != 0 && late();
   if (possible_ && (due || !reason.empty())) write(step, t, true);
   if (!reason.empty())
     throw RunError(
@@ -111,19 +144,21 @@ void Checkpointing::passing(int step, double t) {
 }
 
 void Checkpointing::write(int step, double t, bool within) {
+  const double before = steady_seconds();
   const output::RunWriter::Continuation tables = writer_.sync(step);
   const Profile::Scope timed(communicator_.profile(), Section::output);
-  const double before = steady_seconds();
   output::CheckpointHead head;
   head.step = step;
   head.t = t;
   head.deck = resolved_;
+  head.files = files_;
   head.history_bytes = tables.history_bytes;
   head.convergence_bytes = tables.convergence_bytes;
   head.phases = tables.phases;
   head.attempt = within ? std::max(tables.attempt, 1) : 0;
   file_.write(head, save_);
   ++count_;
+  last_step_ = within ? -1 : step;
   last_write_ = steady_seconds();
   writing_ = last_write_ - before;
 }

@@ -18,8 +18,11 @@ struct Restart {
   output::CheckpointHead head;
 };
 
+/// File and directory of options.restart, which is not empty; the head is not read yet.
+Restart restart_of(const Options& options);
+
 /// Reads the head of options.restart and compares its deck with this one. Nothing without --restart. Collective; throws
-/// InputError: not whole, or keys differ that may not.
+/// InputError: not whole, keys differ that may not, or the deck's files hold something else.
 std::optional<Restart> find_restart(const Options& options, const deck::Deck& deck, const Communicator& communicator);
 
 /// Writes checkpoints as a run goes, and stops it between two steps, or time steps: when a signal has been noted or the
@@ -34,6 +37,10 @@ class Checkpointing {
   /// To be called after every committed step. Collective. Throws RunError to stop the run.
   void committed(const solve::StepRecord& record);
 
+  /// To be called when the run is about to stop at a committed step. Collective. Throws RunError if a checkpoint cannot
+  /// be written.
+  void stopping(const solve::StepRecord& last);
+
   /// To be called between time steps of a step that has not been committed. step: the last that has. Collective. Throws
   /// RunError to stop the run.
   void passing(int step, double t);
@@ -43,6 +50,8 @@ class Checkpointing {
 
  private:
   void write(int step, double t, bool within);
+  /// True on all ranks if the last checkpoint is so long ago that it is worth another. Collective.
+  bool late() const;
   /// seconds: what must still fit into the deck's time.
   std::string reason_to_stop(double seconds) const;
 
@@ -54,12 +63,14 @@ class Checkpointing {
   deck::Checkpoints asked_;
   bool possible_;  ///< a checkpoint would hold everything
   std::string resolved_;
+  std::string files_;  ///< what the files of the deck held at the start
   output::CheckpointWriter file_;
   double begin_, last_ = 0, last_pass_ = 0, last_write_ = 0;  ///< moments
   double longest_ = 0;                                        ///< from one committed step to the next, of late
   double longest_pass_ = 0;                                   ///< the same between time steps that are told of
   double writing_ = 0;                                        ///< seconds that the last checkpoint took
   int count_ = 0;                                             ///< checkpoints written
+  int last_step_ = -1;                                        ///< that was checkpointed between steps
 };
 
 /// Seconds of the steady clock.

@@ -6,7 +6,10 @@
 namespace perinox::app {
 
 Problem prepare(const Options& options, const Communicator& communicator) {
-  deck::Deck deck = read_deck(options, communicator);
+  return prepare(read_deck(options, communicator), communicator);
+}
+
+Problem prepare(deck::Deck deck, const Communicator& communicator) {
   body::PartitionReport partition;
   mechanics::Scene scene = mechanics::build_scene(deck, communicator, &partition);
   SceneReport report = describe(deck, scene, partition);

@@ -5,12 +5,14 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <type_traits>
 
 #include "checkpointing.hpp"
 #include "perinox/app/commands.hpp"
 #include "perinox/app/scene_report.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/mechanics/scene.hpp"
+#include "perinox/output/directory_lock.hpp"
 #include "perinox/output/profile_table.hpp"
 #include "perinox/output/run_writer.hpp"
 #include "perinox/solve/load_stepper.hpp"
@@ -55,10 +57,27 @@ std::string remark_on(double gap, const mechanics::Scene& scene, const solve::En
 }
 
 /// Directory of the results: --output, or where the checkpoint lies, or results/<deck's name>.
-std::string directory_of(const Options& options, const std::optional<Restart>& from) {
+std::string directory_of(const Options& options) {
   if (!options.output.empty()) return options.output;
-  if (from) return from->directory;
+  if (!options.restart.empty()) return restart_of(options).directory;
   return (std::filesystem::path("results") / std::filesystem::path(options.deck).stem()).string();
+}
+
+/// The lock on the directory of the results, which the root holds for all ranks. Collective; throws InputError.
+std::unique_ptr<output::DirectoryLock> lock_directory(const Options& options, const Communicator& communicator) {
+  std::unique_ptr<output::DirectoryLock> lock;
+  std::string refusal;
+  const std::string directory = directory_of(options);
+  // A checkpoint that is not there is refused later, and no directory made for it.
+  const bool nothing = options.output.empty() && !options.restart.empty() && !std::filesystem::exists(directory);
+  if (communicator.is_root() && !nothing) try {
+      lock = std::make_unique<output::DirectoryLock>(directory, options.deck);
+      if (!lock->remark().empty()) fmt::print(stderr, "warning: {}\n", lock->remark());
+    } catch (const InputError& error) {
+      refusal = error.what();
+    }
+  communicator.agree_on_input_error(refusal);
+  return lock;
 }
 
 bool same_directory(const std::string& a, const std::string& b) {
@@ -73,7 +92,7 @@ void run_into(Stepper& stepper, const Problem& problem, const Options& options, 
   const bool talk = communicator.is_root() && !options.quiet;
   if (talk) fmt::print("{}", problem.report.summary);
   say_remarks(problem, stepper.boundary(), communicator);
-  const std::string directory = directory_of(options, from);
+  const std::string directory = directory_of(options);
   const bool goes_on = from && communicator.any(communicator.is_root() && same_directory(from->directory, directory));
   if (talk && from)
     fmt::print(
@@ -91,6 +110,8 @@ void run_into(Stepper& stepper, const Problem& problem, const Options& options, 
   const auto save = [&](StateWriter& to) { stepper.save(to); };
   Checkpointing checkpoints(options, problem.deck, save, *writer, body, directory, begin);
   stepper.on_commit([&](const solve::StepRecord& record) { checkpoints.committed(record); });
+  if constexpr (std::is_same_v<Stepper, solve::LoadStepper>)
+    stepper.on_stop([&](const solve::StepRecord& last) { checkpoints.stopping(last); });
   stepper.on_passing([&](int step, double t) { checkpoints.passing(step, t); });
   const ProfileReading before = communicator.profile().read();
   const auto say_times = [&] {
@@ -125,7 +146,7 @@ int run_in_time(Problem& problem, const Options& options, const Communicator& co
         "done: kinetic {:.6g}, stored {:.6g}, dissipated {:.6g}, damped {:.6g}, released {:.6g}, in contacts {:.6g}, "
         "external work {:.6g} ({:+.1e} of the largest not accounted for, {:.1e} at worst); results in {}\n",
         e.kinetic, e.stored, e.dissipated, e.damped, e.released, e.contact, e.external_work, -stepper.unaccounted(),
-        stepper.worst_gain(), directory_of(options, from));
+        stepper.worst_gain(), directory_of(options));
   if (communicator.is_root() && stepper.worst_gain() > worth_a_warning_in_time)
     fmt::print(stderr,
                "warning: up to {:.1f} % of the energy is not accounted for; the time steps are too long for what "
@@ -138,10 +159,11 @@ int run_in_time(Problem& problem, const Options& options, const Communicator& co
 
 int run(const Options& options, const Communicator& communicator) {
   const double begin = steady_seconds();
-  const std::optional<Restart> from =
-      options.restart.empty() ? std::nullopt : find_restart(options, read_deck(options, communicator), communicator);
-  Problem problem = prepare(options, communicator);
-  note_stop_signals();
+  deck::Deck deck = read_deck(options, communicator);
+  const std::unique_ptr<output::DirectoryLock> lock = lock_directory(options, communicator);
+  const std::optional<Restart> from = find_restart(options, deck, communicator);
+  Problem problem = prepare(std::move(deck), communicator);
+  note_stop_signals(communicator.is_root());
   if (problem.deck.dynamics == deck::Dynamics::explicit_)
     return run_in_time(problem, options, communicator, from, begin);
   solve::LoadStepper stepper(problem.deck, problem.scene);
@@ -156,7 +178,7 @@ int run(const Options& options, const Communicator& communicator) {
     fmt::print(
         "done: stored {:.6g}, dissipated {:.6g}, external work {:.6g} ({:+.1e} of the largest not accounted for); "
         "results in {}\n",
-        e.stored, e.dissipated, e.external_work, gap, directory_of(options, from));
+        e.stored, e.dissipated, e.external_work, gap, directory_of(options));
   const std::string remark = remark_on(gap, problem.scene, e);
   if (communicator.is_root() && !remark.empty()) fmt::print(stderr, "warning: {}\n", remark);
   return 0;

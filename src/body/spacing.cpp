@@ -7,6 +7,7 @@
 
 #include "perinox/body/body.hpp"
 #include "perinox/body/cloud.hpp"
+#include "perinox/body/size.hpp"
 #include "perinox/body/together.hpp"
 
 namespace perinox::body {
@@ -25,8 +26,9 @@ double largest_spacing(const deck::Deck& deck, const Communicator& communicator)
         double volume = 0;
         const std::vector<Particle> particles = read_cloud(deck, static_cast<int>(part), 0);
         for (const Particle& particle : particles) volume += particle.volume;
-        largest =
-            std::max(largest, edge_of(volume / static_cast<double>(particles.size()), deck::unknowns(deck.dimension)));
+        const double mean = edge_of(volume / static_cast<double>(particles.size()), deck::unknowns(deck.dimension));
+        refuse_odd_length(mean, body.location, "the body " + body.name + ", on average,");
+        largest = std::max(largest, mean);
       } else {
         deck::refuse(body.location, fmt::format("the body {} needs a spacing greater than 0", body.name));
       }

@@ -22,7 +22,7 @@ std::vector<std::string> names_of(const std::vector<Key>& keys) {
 
 class Checker {
  public:
-  Checker(const Schema& schema, std::string folder, const Node& root) : schema_(schema), folder_(std::move(folder)) {
+  Checker(const Schema& schema, InputFiles files, const Node& root) : schema_(schema), files_(std::move(files)) {
     const Node* dimension = root.find("dimension");
     in_plane_ = dimension != nullptr && dimension->text != "3";
   }
@@ -53,7 +53,7 @@ class Checker {
         return check_map(node, key, path);
       default:
         if (key.names_field) refuse_unknown_field(node);
-        return check_scalar(node, key, name, folder_);
+        return check_scalar(node, key, name, files_);
     }
   }
 
@@ -264,19 +264,19 @@ class Checker {
   }
 
   const Schema& schema_;
-  std::string folder_;
+  InputFiles files_;
   bool in_plane_ = false;
 };
 
 }  // namespace
 
-Value check_against_schema(const Node& root, const Schema& schema, const std::string& folder) {
-  return Checker(schema, folder, root).check(root, schema.root(), "the deck", "");
+Value check_against_schema(const Node& root, const Schema& schema, const InputFiles& files) {
+  return Checker(schema, files, root).check(root, schema.root(), "the deck", "");
 }
 
-Value check_against_key(const Node& root, const Key& key, const std::string& name, const std::string& folder) {
+Value check_against_key(const Node& root, const Key& key, const std::string& name, const InputFiles& files) {
   static const Schema without_models({});
-  return Checker(without_models, folder, root).check(root, key, name, "");
+  return Checker(without_models, files, root).check(root, key, name, "");
 }
 
 std::string expected(const Key& key) {

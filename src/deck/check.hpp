@@ -8,15 +8,21 @@
 
 namespace perinox::deck {
 
-/// The tree as a Value with every default filled in, numbers in canonical text and paths absolute (relative ones are
-/// taken from `folder`). Throws InputError at the first thing the schema does not allow.
-Value check_against_schema(const Node& root, const Schema& schema, const std::string& folder);
+/// The files that a tree names.
+struct InputFiles {
+  std::string folder;        ///< absolute; relative names start here
+  bool may_be_gone = false;  ///< they are not looked for: nobody will read them
+};
+
+/// The tree as a Value with every default filled in, numbers in canonical text and paths absolute. Throws InputError at
+/// the first thing the schema does not allow.
+Value check_against_schema(const Node& root, const Schema& schema, const InputFiles& files);
 
 /// The same for a file that is no deck and refers to no definitions; messages call its root `name`.
-Value check_against_key(const Node& root, const Key& key, const std::string& name, const std::string& folder);
+Value check_against_key(const Node& root, const Key& key, const std::string& name, const InputFiles& files);
 
 /// A scalar of the schema. Throws InputError for a wrong type, a number out of range, an unknown word, a missing file.
-Value check_scalar(const Node& node, const Key& key, const std::string& name, const std::string& folder);
+Value check_scalar(const Node& node, const Key& key, const std::string& name, const InputFiles& files);
 
 /// What a value of this key looks like, for messages and the reference page: "a number", "a list of numbers", ...
 std::string expected(const Key& key);

@@ -78,11 +78,12 @@ std::string check_word(const Node& node, const Key& key, const std::string& name
   refuse(node.location, fmt::format("{} cannot be '{}'{}", name, node.text, hint));
 }
 
-std::string check_path(const Node& node, const Key& key, const std::string& name, const std::string& folder) {
+std::string check_path(const Node& node, const Key& key, const std::string& name, const InputFiles& files) {
   if (node.text.empty()) refuse(node.location, fmt::format("{} must be a file name, but it is empty", name));
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path path = (fs::path(folder) / node.text).lexically_normal();
+  const fs::path path = (fs::path(files.folder) / node.text).lexically_normal();
+  if (files.may_be_gone) return path.string();
   if (!fs::exists(path, error)) {
     refuse(node.location, fmt::format("the file {} ({}) does not exist; relative names start at the deck's folder, so "
                                       "this one was looked for as {}",
@@ -116,7 +117,7 @@ std::string check_expression(const Node& node, const std::string& name) {
 
 }  // namespace
 
-Value check_scalar(const Node& node, const Key& key, const std::string& name, const std::string& folder) {
+Value check_scalar(const Node& node, const Key& key, const std::string& name, const InputFiles& files) {
   const bool one_word = key.type != Type::text && key.type != Type::path && key.type != Type::expression;
   if (one_word && node.goes_on.line > 0)
     refuse(node.goes_on,
@@ -139,8 +140,7 @@ Value check_scalar(const Node& node, const Key& key, const std::string& name, co
       text = check_word(node, key, name);
       break;
     case Type::path:
-      text = check_path(node, key, name, folder);
-      break;
+      return Value::file(check_path(node, key, name, files), node.text, node.location, true);
     case Type::expression:
       text = check_expression(node, name);
       break;

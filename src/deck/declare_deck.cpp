@@ -76,15 +76,17 @@ Key declare_output(const std::vector<FieldDeclaration>& declared) {
   fields.unique = true;
   fields.fallback = "[displacement, force]";
   Key seconds = positive_key("checkpoint_seconds", "seconds",
-                             "While a run moves in time, write checkpoint.h5 also between two steps when the last one "
-                             "is so long ago, on the clock, and twenty times as long as it took to write.");
-  seconds.fallback = "60";
+                             "Write checkpoint.h5, from which perinox run --restart goes on, when the last one is so "
+                             "long ago, on the clock, and twenty times as long as it took to write: after a step, and "
+                             "while a run moves in time also within one. The end of the run and a stop always have "
+                             "one.");
+  seconds.fallback = "5";
   Key key = map_key(
       "output", "What is written to results.h5, and how often a checkpoint.",
       {integer_key("every", 1, 1e9, "1", "Write every so many converged steps; the last is always written."), fields,
-       integer_key("checkpoint_every", 0, 1e9, "1",
-                   "Write checkpoint.h5, from which perinox run --restart goes on, every so many converged steps; 0: "
-                   "never."),
+       integer_key("checkpoint_every", 0, 1e9, "",
+                   "Write checkpoint.h5 after every so many converged steps, whatever the clock says; 0: only when the "
+                   "run is stopped."),
        seconds});
   key.fallback = "{}";
   key.example = "output: {every: 5, fields: [displacement, force, dilatation]}";
@@ -96,8 +98,12 @@ Key declare_history() {
       map_key("", "One column of history.csv.",
               {required(text_key("name", "Name of the column.")),
                text_key("reaction", "Set whose total reaction force is recorded: a set's or body's name, or all."),
-               text_key("displacement", "Set whose mean displacement is recorded: a set's or body's name, or all."),
-               text_key("yielded", "Set whose fraction of particles with plastic flow is recorded."),
+               text_key("displacement",
+                        "Set whose mean displacement is recorded, each particle weighted by its volume: a set's or "
+                        "body's name, or all."),
+               text_key("yielded",
+                        "Set whose share of volume that has flowed plastically at any time since the start is "
+                        "recorded, whether it flows now or not."),
                word_key("component", words::component, "",
                         "Direction; needed by reaction and displacement, not allowed with yielded.")});
   element.place = "a history entry";

@@ -155,11 +155,11 @@ Key declare_hand_over() {
 Key declare_arc_length() {
   Key growth = positive_key("largest_growth", "-", "Largest arc over that of the first step.");
   growth.fallback = "4";
-  Key until =
-      map_key("until", "Ends the run where a set's mean displacement has come this far; the last step lands there.",
-              {required(text_key("set", "A set's or body's name, or all.")),
-               required(word_key("component", words::component, "", "Direction.")),
-               required(number_key("displacement", "length", "Mean displacement, its sign included."))});
+  Key until = map_key(
+      "until", "Ends the run where a set's mean displacement, by volume, has come this far; the last step lands there.",
+      {required(text_key("set", "A set's or body's name, or all.")),
+       required(word_key("component", words::component, "", "Direction.")),
+       required(number_key("displacement", "length", "Mean displacement, its sign included."))});
   Key key = map_key(
       "arc_length",
       "Of steps.control: arc-length. The first step goes to t = steps.end/steps.count and its displacement is the unit "

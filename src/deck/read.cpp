@@ -58,19 +58,31 @@ auto refusing_slips(const std::string& yaml, const std::string& file, Check&& ch
   }
 }
 
-}  // namespace
-
-Deck read_text(const std::string& yaml, const std::string& file, const Schema& schema,
-               const std::vector<std::string>& overrides) {
+Deck read_node(const std::string& yaml, const std::string& file, const Schema& schema,
+               const std::vector<std::string>& overrides, bool files_may_be_gone) {
   Node root = parse_yaml(yaml, file);
   if (root.kind == Node::Kind::null) {
     refuse({file, 0, 0}, "the deck is empty; it needs at least dimension, body, horizon and materials");
   }
   for (const std::string& text : overrides) apply_override(root, text);
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  return refusing_slips(yaml, file, [&] {
-    return convert(with_title(check_against_schema(root, schema, folder.string()), file), file);
-  });
+  const InputFiles files{folder_of(file), files_may_be_gone};
+  return refusing_slips(yaml, file,
+                        [&] { return convert(with_title(check_against_schema(root, schema, files), file), file); });
+}
+
+}  // namespace
+
+std::string folder_of(const std::string& file) {
+  return std::filesystem::absolute(file).lexically_normal().parent_path().string();
+}
+
+Deck read_text(const std::string& yaml, const std::string& file, const Schema& schema,
+               const std::vector<std::string>& overrides) {
+  return read_node(yaml, file, schema, overrides, false);
+}
+
+Deck read_saved(const std::string& yaml, const std::string& file, const Schema& schema) {
+  return read_node(yaml, file, schema, {}, true);
 }
 
 Deck read(const std::string& file, const Schema& schema, const std::vector<std::string>& overrides) {
@@ -84,9 +96,7 @@ Value read_declared(const std::string& file, const Key& root, const std::string&
 Value read_declared_text(const std::string& yaml, const std::string& file, const Key& root, const std::string& kind) {
   const Node node = parse_yaml(yaml, file);
   if (node.kind == Node::Kind::null) refuse({file, 0, 0}, "the " + kind + " is empty");
-  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-  return refusing_slips(yaml, file,
-                        [&] { return check_against_key(node, root, "the " + kind, folder.string()); });
+  return refusing_slips(yaml, file, [&] { return check_against_key(node, root, "the " + kind, {folder_of(file)}); });
 }
 
 }  // namespace perinox::deck

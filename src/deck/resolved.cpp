@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+
 #include "perinox/deck/read.hpp"
 #include "perinox/deck/scalar.hpp"
 
@@ -22,18 +26,26 @@ bool fits_one_line(const Value& value) {
   return letters < 90;
 }
 
-void write_flow(const Value& value, std::string& out) {
+namespace fs = std::filesystem;
+
+/// A value as it is written into a file of `folder`; "" without one.
+std::string text_in(const Value& value, const std::string& folder) {
+  if (!value.is_file() || folder.empty() || fs::path(value.written()).is_absolute()) return value.text();
+  return fs::path(value.text()).lexically_relative(fs::absolute(folder).lexically_normal()).string();
+}
+
+void write_flow(const Value& value, const std::string& folder, std::string& out) {
   switch (value.kind()) {
     case Value::Kind::none:
       break;
     case Value::Kind::scalar:
-      out += quote_if_needed(value.text());
+      out += quote_if_needed(text_in(value, folder));
       break;
     case Value::Kind::list: {
       const char* between = "[";
       for (const Value& item : value.items()) {
         out += between;
-        write_flow(item, out);
+        write_flow(item, folder, out);
         between = ", ";
       }
       out += value.items().empty() ? "[]" : "]";
@@ -43,7 +55,7 @@ void write_flow(const Value& value, std::string& out) {
       const char* between = "{";
       for (const auto& [key, inner] : value.entries()) {
         out += between + quote_if_needed(key) + ": ";
-        write_flow(inner, out);
+        write_flow(inner, folder, out);
         between = ", ";
       }
       out += value.entries().empty() ? "{}" : "}";
@@ -53,11 +65,11 @@ void write_flow(const Value& value, std::string& out) {
 }
 
 /// Writes a value after `key:` or `-`, ending with a line feed.
-void write_block(const Value& value, std::size_t indent, bool in_list, std::string& out) {
+void write_block(const Value& value, const std::string& folder, std::size_t indent, bool in_list, std::string& out) {
   if (fits_one_line(value) ||
       (value.kind() == Value::Kind::list && value.items().front().kind() == Value::Kind::scalar)) {
     out += ' ';
-    write_flow(value, out);
+    write_flow(value, folder, out);
     out += '\n';
     return;
   }
@@ -71,24 +83,39 @@ void write_block(const Value& value, std::size_t indent, bool in_list, std::stri
     for (const Value& item : value.items()) {
       begin_line();
       out += '-';
-      write_block(item, indent + 2, true, out);
+      write_block(item, folder, indent + 2, true, out);
     }
   } else {
     for (const auto& [key, inner] : value.entries()) {
       begin_line();
       out += quote_if_needed(key) + ":";
-      write_block(inner, indent + 2, false, out);
+      write_block(inner, folder, indent + 2, false, out);
     }
   }
 }
 
+void add_files(const Value& value, const std::string& path, std::vector<InputFile>& files) {
+  if (value.is_file()) files.push_back({path, value.text()});
+  if (value.kind() == Value::Kind::list)
+    for (std::size_t k = 0; k < value.items().size(); ++k)
+      add_files(value.items()[k], fmt::format("{}[{}]", path, k), files);
+  if (value.kind() == Value::Kind::map)
+    for (const auto& [key, inner] : value.entries()) add_files(inner, path.empty() ? key : path + "." + key, files);
+}
+
 }  // namespace
 
-std::string write_resolved(const Deck& deck) {
+std::vector<InputFile> input_files(const Deck& deck) {
+  std::vector<InputFile> files;
+  add_files(deck.resolved, "", files);
+  return files;
+}
+
+std::string write_resolved(const Deck& deck, const std::string& folder) {
   std::string out("# The deck with every default filled in; running it reproduces the run.\n");
   for (const auto& [key, value] : deck.resolved.entries()) {
     out += quote_if_needed(key) + ":";
-    write_block(value, 2, false, out);
+    write_block(value, folder, 2, false, out);
   }
   return out;
 }

@@ -12,6 +12,7 @@ struct Value::Data {
   Location location;
   bool given = false;
   std::string text;
+  std::string written;  ///< of an input file's name; else empty
   std::vector<Value> items;
   std::vector<std::pair<std::string, Value>> entries;  ///< those with a value
   std::vector<std::pair<std::string, Value>> absent;   ///< optional keys that were not written
@@ -31,6 +32,18 @@ Value Value::scalar(std::string text, Location where, bool given) {
   auto data = std::make_shared<Data>();
   data->kind = Kind::scalar;
   data->text = std::move(text);
+  data->location = std::move(where);
+  data->given = given;
+  Value value;
+  value.data_ = std::move(data);
+  return value;
+}
+
+Value Value::file(std::string path, std::string written, Location where, bool given) {
+  auto data = std::make_shared<Data>();
+  data->kind = Kind::scalar;
+  data->text = std::move(path);
+  data->written = std::move(written);
   data->location = std::move(where);
   data->given = given;
   Value value;
@@ -110,6 +123,13 @@ bool Value::boolean() const {
 const std::string& Value::text() const {
   if (kind() != Kind::scalar) misused(location(), "the program asked for a scalar where the deck has none");
   return data_->text;
+}
+
+bool Value::is_file() const { return !data_->written.empty(); }
+
+const std::string& Value::written() const {
+  if (!is_file()) misused(location(), "the program asked for a file's name where the deck has none");
+  return data_->written;
 }
 
 }  // namespace perinox::deck

@@ -109,8 +109,8 @@ PointModulus ElasticPlastic::modulus(const FamilySums& sums, const double* commi
   // part in parallel takes none of it. As
   // printed, the third term carries a Delta(zeta - xi) that (63) does not have: read as one quadrature weight, it keeps
   // only the diagonal.
-  const double n = r.trial_norm;
-  point.flow = inner_ * r.alpha * r.alpha * r.alpha * (r.beta_slope * n - r.beta) / (n * n * n);
+  // N = alpha sqrt(strain_square), so that no power of alpha is left, which a small or large horizon would overflow.
+  point.flow = inner_ * (r.beta_slope * r.trial_norm - r.beta) / (r.strain_square * std::sqrt(r.strain_square));
   point.diagonal_only = printed;
   return point;
 }

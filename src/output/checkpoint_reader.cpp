@@ -72,6 +72,7 @@ CheckpointHead read_checkpoint_head(const std::string& path, const Communicator&
     if (!(std::isfinite(head.t) && head.t >= 0))
       throw InputError(fmt::format("{} is damaged: its t is {}", path, head.t));
     head.deck = file.text_attribute("/", "deck");
+    if (file.has_attribute("/", "files")) head.files = file.text_attribute("/", "files");
     head.perinox_version = file.text_attribute("/", "perinox_version");
     head.ranks = count("ranks");
     head.history_bytes = count("history_bytes");

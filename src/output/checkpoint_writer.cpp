@@ -11,6 +11,7 @@
 
 #include "checkpoint_seal.hpp"
 #include "perinox/core/error.hpp"
+#include "perinox/deck/read.hpp"
 #include "perinox/output/agree.hpp"
 #include "perinox/output/checkpoint.hpp"
 #include "perinox/output/checksum.hpp"
@@ -130,6 +131,17 @@ std::string body_fingerprint(const body::Body& body) {
   return hexadecimal(sum);
 }
 
+std::string file_fingerprints(const deck::Deck& deck, const Communicator& communicator) {
+  std::string lines;
+  for (const deck::InputFile& file : deck::input_files(deck)) {
+    std::error_code ignored;
+    const auto bytes = static_cast<std::uint64_t>(
+        communicator.max(static_cast<long long>(std::filesystem::file_size(file.path, ignored))));
+    lines += fmt::format("{} {}\n", file.key, hexadecimal(file_checksum(file.path, 0, bytes, communicator)));
+  }
+  return lines;
+}
+
 CheckpointWriter::CheckpointWriter(std::string path, const body::Body& body)
     : path_(std::move(path)), plan_(std::make_unique<Plan>(body)) {}
 
@@ -153,11 +165,13 @@ std::vector<KnownShare> CheckpointWriter::fill(const CheckpointHead& head,
   const Communicator& communicator = plan_->communicator;
   Counting counting(communicator);
   save(counting);
-  const double bytes = counting.bytes(plan_->order.total()) + static_cast<double>(head.deck.size()) + 64 * 1024;
+  const double bytes =
+      counting.bytes(plan_->order.total()) + static_cast<double>(head.deck.size() + head.files.size()) + 64 * 1024;
   ParallelFile file(temporary, communicator, ParallelFile::Mode::create, seal_bytes);
   agree_on_run_error(communicator, communicator.is_root() ? reserve(temporary, bytes) : std::string());
   file.set_attribute("/", "deck", head.deck);
   file.set_attribute("/", "deck_hash", hexadecimal(checksum(head.deck.data(), head.deck.size())));
+  file.set_attribute("/", "files", head.files);
   file.set_attribute("/", "perinox_version", std::string(PERINOX_VERSION));
   file.set_attribute("/", "step", static_cast<GlobalId>(head.step));
   file.set_attribute("/", "t", head.t);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -15,12 +16,20 @@
 namespace perinox::output {
 
 namespace {
-/// [points * components] -> [points * 3], the missing component zero.
-std::vector<double> three_columns(const double* values, std::size_t points, int components) {
-  std::vector<double> wide(points * 3, 0.0);
+/// Of xx, xy, xz, yx, ..., zz the number in xx, xy, xz, yy, yz, zz.
+constexpr std::array<std::size_t, 9> of_symmetric = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+
+/// The rows as the file has them: vectors [points * 3], a component that is missing in 2-D zero; tensors [points * 9].
+std::vector<double> columns_of_file(const double* values, std::size_t points, int components) {
   const auto width = static_cast<std::size_t>(components);
+  const auto columns = static_cast<std::size_t>(XdmfIndex::columns_of(components));
+  std::vector<double> wide(points * columns, 0.0);
   for (std::size_t i = 0; i < points; ++i)
-    for (std::size_t c = 0; c < width; ++c) wide[i * 3 + c] = values[i * width + c];
+    for (std::size_t c = 0; c < columns; ++c)
+      if (components == 6)
+        wide[i * columns + c] = values[i * width + of_symmetric[c]];
+      else if (c < width)
+        wide[i * columns + c] = values[i * width + c];
   return wide;
 }
 
@@ -51,7 +60,7 @@ ResultsFile::ResultsFile(std::string directory, const std::string& title, const 
   file.make_group("/particles");
   file.make_group("/steps");
   file.write_rows("/particles/id", order_.to_rows(body.id.data()), n, first);
-  const auto reference = three_columns(body.reference.data(), static_cast<std::size_t>(body.owned), body.dimension);
+  const auto reference = columns_of_file(body.reference.data(), static_cast<std::size_t>(body.owned), body.dimension);
   file.write_rows("/particles/reference", order_.to_rows(reference.data(), 3), n, first, 3);
   file.write_rows("/particles/volume", order_.to_rows(body.volume.data(), 1), n, first);
   file.write_rows("/particles/block", order_.to_rows(body.part.data()), n, first);
@@ -101,15 +110,17 @@ ResultsFile::Later ResultsFile::look_back(Continue kept, const std::vector<std::
       later.steps.push_back(step.number);
       continue;
     }
-    std::vector<XdmfIndex::FieldShape> shapes;
-    for (const std::string& field : fields)
-      if (const int columns = file.columns(step.number, field); columns > 0)
-        shapes.push_back({field, columns == 1 ? 0 : columns});
+    // Those that are asked for come first.
+    std::vector<std::string> there = fields;
     for (const std::string& field : file.fields(step.number))
-      if (std::find(fields.begin(), fields.end(), field) == fields.end()) {
-        const int columns = file.columns(step.number, field);
-        shapes.push_back({field, columns == 1 ? 0 : columns});
-      }
+      if (std::find(fields.begin(), fields.end(), field) == fields.end()) there.push_back(field);
+    std::vector<XdmfIndex::FieldShape> shapes;
+    for (const std::string& field : there) {
+      const int columns = file.columns(step.number, field);
+      if (columns == 6)
+        throw RunError(fmt::format("{} has six columns of {}, as an earlier version wrote tensors", path_, field));
+      if (columns > 0) shapes.push_back({field, columns == 1 ? 0 : columns});
+    }
     index_.add_step(step.number, step.t, shapes);
   }
   return later;
@@ -172,11 +183,11 @@ void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve
     const int width = XdmfIndex::columns_of(field.components);
     const std::vector<double> rows = order_.to_rows(field.values, field.components);
     const std::string name = group + "/" + field.name;
-    if (width == 3)
-      file.write_rows(name, three_columns(rows.data(), static_cast<std::size_t>(order_.rows()), field.components),
-                      order_.total(), order_.first_row(), 3);
+    if (width > 0)
+      file.write_rows(name, columns_of_file(rows.data(), static_cast<std::size_t>(order_.rows()), field.components),
+                      order_.total(), order_.first_row(), width);
     else
-      file.write_rows(name, rows, order_.total(), order_.first_row(), width);
+      file.write_rows(name, rows, order_.total(), order_.first_row());
     shapes.push_back({field.name, width});
   }
   file.close();

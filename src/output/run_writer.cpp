@@ -25,12 +25,6 @@ std::vector<std::string> block_names(const deck::Deck& deck) {
   for (const deck::BodyPart& part : deck.body) names.push_back(part.name);
   return names;
 }
-
-std::vector<std::string> history_names(const deck::Deck& deck) {
-  std::vector<std::string> names;
-  for (const deck::HistoryEntry& entry : deck.history) names.push_back(entry.name);
-  return names;
-}
 }  // namespace
 
 struct RunWriter::Files {
@@ -98,9 +92,7 @@ void RunWriter::begin(const deck::Deck& deck, const body::Body& body, bool quiet
     if (files.terminal && !sentence.empty()) files.terminal->say(sentence);
   };
   const std::string history = files.directory + "/history.csv", convergence = files.directory + "/convergence.csv";
-  const HistoryTable::Columns columns{deck.breaks(), deck.may_move(),
-                                      deck.may_move() && deck.dynamics != deck::Dynamics::explicit_,
-                                      deck.may_overlap()};
+  const HistoryTable::Columns columns = HistoryTable::Columns::of(deck);
   long long history_kept = 0, convergence_kept = 0;
   if (from == nullptr) {
     say(prepare_directory(files.directory, files.communicator));
@@ -124,7 +116,7 @@ void RunWriter::begin(const deck::Deck& deck, const body::Body& body, bool quiet
   if (root) {
     files.history.emplace(history, history_names(deck), columns, history_kept);
     files.convergence.emplace(convergence, convergence_kept);
-    failure = replace_file(files.directory + "/deck.resolved.yaml", deck::write_resolved(deck));
+    failure = replace_file(files.directory + "/deck.resolved.yaml", deck::write_resolved(deck, files.directory));
   }
   agree_on_run_error(files.communicator, failure);
   files.agree_on_tables();
@@ -197,14 +189,24 @@ void RunWriter::note(const std::string& sentence) {
   if (files_->terminal) files_->terminal->say("  " + sentence);
 }
 
+void RunWriter::write(const solve::StepRecord& record) {
+  Files& files = *files_;
+  if (record.step % files.every == 0 || record.last) files.results->write(record, files.chosen(record.fields));
+  if (files.history) files.history->row(record);
+  files.agree_on_tables();
+}
+
+void RunWriter::run_begins(const solve::StepRecord& record) {
+  const Profile::Scope timed(files_->communicator.profile(), Section::output);
+  write(record);
+}
+
 void RunWriter::step_committed(const solve::StepRecord& record) {
   Files& files = *files_;
   const Profile::Scope timed(files.communicator.profile(), Section::output);
   files.current_step = 0;
   files.committed_step = record.step;
-  if (record.step % files.every == 0 || record.last) files.results->write(record, files.chosen(record.fields));
-  if (files.history) files.history->row(record);
-  files.agree_on_tables();
+  write(record);
   if (files.terminal) files.terminal->step_committed(record);
 }
 

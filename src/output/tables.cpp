@@ -62,6 +62,21 @@ std::string seconds_columns() {
 }
 }  // namespace
 
+HistoryTable::Columns HistoryTable::Columns::of(const deck::Deck& deck) {
+  return {deck.breaks(), deck.may_move(), deck.may_move() && deck.dynamics != deck::Dynamics::explicit_,
+          deck.may_overlap()};
+}
+
+std::vector<std::string> history_names(const deck::Deck& deck) {
+  std::vector<std::string> names;
+  for (const deck::HistoryEntry& entry : deck.history) names.push_back(entry.name);
+  return names;
+}
+
+std::vector<std::string> history_columns(const deck::Deck& deck) {
+  return csv_cells(HistoryTable::header(history_names(deck), HistoryTable::Columns::of(deck)));
+}
+
 HistoryTable::HistoryTable(const std::string& path, const std::vector<std::string>& names, Columns columns,
                            long long kept)
     : file_(path, header(names, columns), kept), columns_(columns) {}

@@ -44,7 +44,7 @@ std::string attribute(const std::string& name, int columns, const std::string& d
       "        <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"Node\">\n          {}\n"
       "        </Attribute>\n",
       escaped(name),
-      columns == 6   ? "Tensor6"
+      columns == 9   ? "Tensor"
       : columns == 3 ? "Vector"
                      : "Scalar",
       data);

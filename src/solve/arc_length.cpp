@@ -59,8 +59,8 @@ ArcLength::ArcLength(const deck::Deck& deck, const mechanics::Scene& scene, cons
                  "steps.control is arc-length, but no force and no prescribed displacement of boundary changes with t; "
                  "write one as a formula of t");
   if (settings_.until)
-    until_.emplace(ranks, scene.body().sets.at(settings_.until->set), scene.dimension(), settings_.until->component,
-                   settings_.until->displacement);
+    until_.emplace(ranks, scene.body().sets.at(settings_.until->set), scene.body().volume, scene.dimension(),
+                   settings_.until->component, settings_.until->displacement);
 }
 
 PathPoint ArcLength::committed_point(const mechanics::Committed& committed) const {

@@ -165,11 +165,14 @@ void ExplicitMotion::evaluate() {
   }
 }
 
+void ExplicitMotion::begin(double dt) {
+  if (moving_) return;
+  last_step_ = dt;
+  start_moving();
+}
+
 void ExplicitMotion::step(double dt) {
-  if (!moving_) {
-    last_step_ = dt;
-    start_moving();
-  }
+  begin(dt);
   for (std::size_t k = 0; k < held_.size(); ++k) {
     const std::size_t u = held_[k];
     held_displacement_[k] = trial_.displacement[u];

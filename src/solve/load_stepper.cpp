@@ -50,6 +50,10 @@ void LoadStepper::run(Observer& observer) {
   step_begin_ = begin - phase_.seconds;
   told_times_ = ranks.profile().read();
   told_times_.count[static_cast<std::size_t>(Section::product)] -= phase_.products;
+  if (!restored_) {
+    observer.run_begins(record({}, true));
+    step_begin_ = now();
+  }
   while (hand_over_ || !control_->finished()) {
     NewtonResult result;
     if (!advance(observer, result)) continue;
@@ -177,6 +181,8 @@ void LoadStepper::lost_equilibrium(Observer& observer, const std::string& reason
 void LoadStepper::stop(Observer& observer, double t, const NewtonResult& result) {
   const StepRecord last = record(last_result_, true);
   observer.run_stopped(step_ > 0 ? &last : nullptr);
+  control_->forget_cuts();
+  if (stopped_ && step_ > 0) stopped_(last);
   throw RunError(fmt::format(
       "stopped at t = {:.10g} of {:g}, after {} converged steps: the step to t = {:.10g} does not converge{}; {}",
       committed_.t(), deck_.steps.end, step_, t,

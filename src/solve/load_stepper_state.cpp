@@ -30,6 +30,7 @@ void LoadSteps::save(StateWriter& writer) const {
 void LoadSteps::restore(const mechanics::Committed& committed, StateReader& reader) {
   const int cuts = restored_count(reader, "steps/cuts", most_cuts);
   for (cuts_ = 0; cuts_ < cuts; ++cuts_) size_ /= 2;
+  accepted_cuts_ = cuts_;
   for (done_ = 0; !finished() && committed.t() >= whole_end() * (1 - 1e-12);) ++done_;
   tried_ = committed.t();
   has_previous_ = reader.integer("steps/has_previous") != 0;
@@ -139,6 +140,7 @@ void LoadStepper::save(StateWriter& writer) const {
 }
 
 void LoadStepper::restore(StateReader& reader) {
+  restored_ = true;
   const auto count = [&](const char* name) { return restored_count(reader, name); };
   step_ = count("stepper/step");
   energies_.stored = reader.number("stepper/stored_energy");

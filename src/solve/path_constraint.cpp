@@ -28,19 +28,24 @@ double FixedArc::slope(const PathPoint& at, const PathPoint& direction) const {
   return 2 * norm_.product(step(at), direction) / (arc_ * arc_);
 }
 
-FixedMean::FixedMean(const Communicator& ranks, const std::vector<LocalIndex>& set, int dimension, int component,
-                     double target)
+FixedMean::FixedMean(const Communicator& ranks, const std::vector<LocalIndex>& set, const std::vector<double>& volume,
+                     int dimension, int component, double target)
     : ranks_(ranks),
       set_(set),
+      volume_(volume),
       dimension_(static_cast<std::size_t>(dimension)),
       component_(static_cast<std::size_t>(component)),
-      target_(target),
-      count_(ranks.sum(static_cast<double>(set.size()))) {}
+      target_(target) {
+  double own = 0;
+  for (const LocalIndex i : set) own += volume[static_cast<std::size_t>(i)];
+  whole_ = ranks.sum(own);
+}
 
 double FixedMean::mean(const std::vector<double>& displacement) const {
   double sum = 0;
-  for (const LocalIndex i : set_) sum += displacement[static_cast<std::size_t>(i) * dimension_ + component_];
-  return ranks_.sum(sum) / count_;
+  for (const LocalIndex i : set_)
+    sum += volume_[static_cast<std::size_t>(i)] * displacement[static_cast<std::size_t>(i) * dimension_ + component_];
+  return ranks_.sum(sum) / whole_;
 }
 
 }  // namespace perinox::solve

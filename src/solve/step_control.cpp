@@ -30,9 +30,15 @@ void LoadSteps::accept(const mechanics::Committed& committed, const mechanics::T
             committed.displacement().begin() + static_cast<std::ptrdiff_t>(previous_displacement_.size()),
             previous_displacement_.begin());
   has_previous_ = true;
-  if (cuts_ == 0) return;
-  --cuts_;
-  size_ *= 2;
+  if (cuts_ > 0) {
+    --cuts_;
+    size_ *= 2;
+  }
+  accepted_cuts_ = cuts_;
+}
+
+void LoadSteps::forget_cuts() {
+  for (; cuts_ > accepted_cuts_; --cuts_) size_ *= 2;
 }
 
 void LoadSteps::jumped(double t) {

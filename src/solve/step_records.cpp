@@ -53,18 +53,19 @@ void StepRecords::spread_history(const mechanics::Committed& committed) {
 double StepRecords::entry_value(const State& state, const deck::HistoryEntry& entry) const {
   const std::vector<LocalIndex>& set = scene_.body().sets.at(entry.set);
   const int d = scene_.dimension();
-  std::vector<double> sums(2, 0.0);
+  std::vector<double> sums(2, 0.0);  // means are by volume: a finer body has more particles in as much of it
   for (const LocalIndex i : set) {
     const auto unknown = static_cast<std::size_t>(i) * d + entry.component;
-    sums[1] += 1;
+    const double volume = scene_.body().volume[i];
+    sums[1] += volume;
     if (entry.kind == deck::HistoryKind::reaction) {
       if (!state.loose.empty() && state.loose[i]) continue;
       sums[0] -= state.force[unknown] + state.external[unknown];  // what the support does to the body
     } else if (entry.kind == deck::HistoryKind::displacement) {
-      sums[0] += state.committed.displacement()[unknown];
+      sums[0] += volume * state.committed.displacement()[unknown];
     } else {
       for (std::size_t k = 0; k < history_names_.size(); ++k)
-        if (history_names_[k] == "plastic_multiplier" && history_values_[k][i] > 0) sums[0] += 1;
+        if (history_names_[k] == "plastic_multiplier" && history_values_[k][i] > 0) sums[0] += volume;
     }
   }
   scene_.body().communicator.sum(sums);

@@ -83,6 +83,10 @@ void TimeStepper::run(Observer& observer) {
   const double begin = now(), begin_t = motion_->t();
   row_begin_ = begin - row_seconds_;
   ProfileReading told = ranks.profile().read();
+  if (!restored_) {
+    tell_start(observer);
+    row_begin_ = now();
+  }
   while (row_ < deck_.steps.count) {
     const double t = deck_.steps.end * (row_ + 1) / deck_.steps.count;
     if (!advance_to(t, observer)) stop(observer);
@@ -101,6 +105,15 @@ void TimeStepper::run(Observer& observer) {
     if (told_) told_(row);
     row_begin_ = now();
   }
+}
+
+// With its forces, from which the first time step goes; how long that is decides on the kinetic energy that the scheme
+// conserves.
+void TimeStepper::tell_start(Observer& observer) {
+  if (deck_.steps.count > 0) begin_row(deck_.steps.end / deck_.steps.count);
+  motion_->begin(length_);
+  energies_ = motion_->energies();
+  observer.run_begins(record(true, false));
 }
 
 void TimeStepper::begin_row(double t) {

@@ -34,6 +34,7 @@ void TimeStepper::save(StateWriter& writer) const {
 
 // Bonds first: what watches contacts is made of the bonds that are left.
 void TimeStepper::restore(StateReader& reader) {
+  restored_ = true;
   if (breaking_) {
     BrokenBonds broken(scene_, reader);
     broken.break_first(broken.count());

@@ -1,17 +1,17 @@
 #include "perinox/study/conduct.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "perinox/core/error.hpp"
 #include "perinox/deck/read.hpp"
+#include "perinox/output/directory_lock.hpp"
 #include "perinox/output/table_reader.hpp"
 #include "perinox/study/report.hpp"
 #include "perinox/study/run_record.hpp"
@@ -20,31 +20,6 @@ namespace perinox::study {
 
 namespace {
 namespace fs = std::filesystem;
-
-/// Keeps a second study out of the folder while it lives.
-class FolderLock {
- public:
-  explicit FolderLock(const std::string& folder) {
-    std::error_code error;
-    fs::create_directories(folder + "/runs", error);
-    if (error)
-      throw InputError(fmt::format("the output directory {} cannot be used: {}; choose another with --output", folder,
-                                   error.message()));
-    file_ = ::open((folder + "/runs/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file_ < 0)
-      throw InputError(
-          fmt::format("the output directory {} cannot be written to; choose another with --output", folder));
-    if (::flock(file_, LOCK_EX | LOCK_NB) == 0) return;
-    ::close(file_);
-    throw InputError(fmt::format("another study is running in {}; choose another folder with --output", folder));
-  }
-  ~FolderLock() { ::close(file_); }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int file_;
-};
 
 void write_file(const fs::path& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
@@ -82,7 +57,17 @@ std::vector<Prepared> prepare(const Study& study, const Request& request, const 
   return all;
 }
 
+/// A run of a study that was killed finishes its step before it ends, and writes into its folder until then. Throws
+/// InputError if that takes longer than a minute.
+void wait_until_free(const std::string& folder, const std::string& deck) {
+  constexpr int most_looks = 600;
+  for (int looks = 0; looks < most_looks && output::DirectoryLock::held(folder); ++looks)
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  const output::DirectoryLock lock(folder, deck);
+}
+
 RunRecord run_in(const std::string& folder, const Study& study, const Prepared& one) {
+  if (fs::is_directory(folder)) wait_until_free(folder, study.deck);
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::vector<std::string> command{own_path(), "run", study.deck, "--output", folder};
@@ -203,8 +188,7 @@ std::vector<Row> measure_all(const Study& study, const std::vector<Prepared>& al
   }
   for (std::size_t k = 0; k < all.size(); ++k)
     for (const Measure& measure : study.measures) {
-      // A run that stopped short has no end to be measured at.
-      if (rows[k].status != 0 && !measure.at) continue;
+      if (rows[k].status != 0 && measure.needs_the_end()) continue;
       const std::string reference = reference_of(study, measure, rows, rows[k], output);
       if (measure.reference == "finest" && reference.empty()) continue;
       attempt(rows[k], [&] {
@@ -224,7 +208,8 @@ int conduct(const Request& request, const deck::Schema& schema) {
     for (const Prepared& one : all) fmt::print("  {}{}\n", one.run.name, one.record ? "  finished earlier" : "");
     return 0;
   }
-  const FolderLock lock(request.output);
+  const output::DirectoryLock lock(request.output + "/runs", request.file);
+  if (!lock.remark().empty()) fmt::print(stderr, "warning: {}\n", lock.remark());
   if (!request.quiet) say_start(study, all, request);
   std::vector<RunRecord> records;
   for (std::size_t k = 0; k < all.size(); ++k) {

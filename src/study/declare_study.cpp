@@ -44,7 +44,7 @@ Key declare_sweep() {
 
 Key declare_measures() {
   std::vector<Key> components;
-  for (const int columns : {3, 6, 1})
+  for (const int columns : {3, 9, 1})
     for (const std::string& name : components_of(columns))
       components.push_back(text_key(name, columns == 1   ? "Of a scalar field."
                                           : columns == 3 ? "Of a vector field."
@@ -55,11 +55,19 @@ Key declare_measures() {
               "compared.",
               components);
   solution.place = "a solution";
+  Key take = deck::word_key(
+      "take", take_words(), "end",
+      "With history, which row: the end of a run that has come to it; the first or last row there is; the row in which "
+      "the "
+      "formula is largest or smallest, its value (max, min) or its argument (argmax, argmin). All but end are taken of "
+      "runs that stopped short too.");
   Key measure = map_key(
       "", "One measure.",
       {required(text_key("name", "Name of its columns.")),
        text_key("history", "Formula of the columns of history.csv, in the simplest case one column's name."),
-       text_key("field", "Field of results.h5; the deck's output.fields must name it."),
+       text_key("field", "Field of results.h5; the deck's output.fields must name it."), take,
+       text_key("argument",
+                "With take: argmax or argmin: formula of the columns that is taken in that row; by default t."),
        text_key("at", "Load parameter t at which it is taken; there must be a step. By default the end of the run."),
        text_key("exact",
                 "With history: the exact value, a number or a formula of sweep values; gives relative errors."),
@@ -67,7 +75,10 @@ Key declare_measures() {
        text_key("reference",
                 "With field: finest, the run with most particles among those that differ in the first numeric sweep "
                 "only; or a file results.h5, relative to the study's folder."),
-       text_key("where", "With field: condition on x, y, z; only particles where it holds are compared.")});
+       text_key(
+           "where",
+           "With field: condition on x, y, z; only particles where it holds are compared. With history: condition on "
+           "the columns; only rows where it holds are looked at.")});
   measure.place = "a measure";
   measure.alternatives = {{"history"}, {"field"}};
   Key list = list_key("measures", "What is taken from each run.", measure);

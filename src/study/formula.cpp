@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "perinox/deck/scalar.hpp"
 
@@ -32,6 +33,12 @@ bool is_function(const std::string& text, std::size_t after) {
   while (after < text.size() && text[after] == ' ') ++after;
   return after < text.size() && text[after] == '(';
 }
+
+/// As a formula says it, what is not finite too.
+std::string number_text(double value) {
+  if (std::isfinite(value)) return deck::format_number(value);
+  return std::isnan(value) ? "0/0" : value > 0 ? "1/0" : "-1/0";
+}
 }  // namespace
 
 deck::Expression formula(const std::string& text, const Numbers& numbers, const std::vector<std::string>& others,
@@ -48,7 +55,7 @@ deck::Expression formula(const std::string& text, const Numbers& numbers, const 
       while (end < text.size() && continues_name(text[end])) ++end;
       const std::string name = text.substr(i, end - i);
       if (const auto value = numbers.find(name); value != numbers.end()) {
-        result += "(" + deck::format_number(value->second) + ")";
+        result += "(" + number_text(value->second) + ")";
         i = end;
         continue;
       }

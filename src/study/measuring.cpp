@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "history_measure.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/deck/condition.hpp"
 #include "perinox/deck/scalar.hpp"
@@ -19,12 +20,10 @@ namespace perinox::study {
 namespace {
 const std::vector<std::string> place_and_time{"x", "y", "z", "t"};
 
-bool same_time(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(b)); }
-
 /// Columns of a field in results.h5, by its name.
 int columns_of(const std::string& field) {
   if (field == "displacement" || field == "force") return 3;
-  return field == "stress" || field == "strain" ? 6 : 1;
+  return field == "stress" || field == "strain" ? 9 : 1;
 }
 
 /// The step at `at`, or the last one.
@@ -36,25 +35,6 @@ output::ResultsReader::Step step_of(const output::ResultsReader& file, const Mea
   for (const auto& step : steps)
     if (same_time(step.t, *measure.at)) return step;
   throw RunError(fmt::format("{} holds no step at t = {:g}, where {} is taken", path, *measure.at, measure.name));
-}
-
-Values history_value(const Measure& measure, const PlannedRun& run, const std::string& folder) {
-  const output::NumberTable table = output::read_table(folder + "/history.csv");
-  const std::size_t time = table.column("t").value();
-  const std::vector<double>* row = nullptr;
-  for (const auto& candidate : table.rows)
-    if (!measure.at || same_time(candidate[time], *measure.at)) row = &candidate;
-  if (row == nullptr)
-    throw RunError(fmt::format("{}/history.csv has no row{} for {}", folder,
-                               measure.at ? fmt::format(" at t = {:g}", *measure.at) : "", measure.name));
-  Numbers numbers = run.numbers;
-  for (std::size_t c = 0; c < row->size(); ++c) numbers[table.names[c]] = (*row)[c];
-  const double value = formula(measure.history, numbers, {}, measure.location)(0, 0, 0, 0);
-  Values values{{measure.name, value}};
-  if (measure.exact.empty()) return values;
-  const double exact = formula(measure.exact, run.numbers, {"t"}, measure.location)(0, 0, 0, (*row)[time]);
-  values[measure.error_column()] = exact != 0 ? (value - exact) / std::abs(exact) : value - exact;
-  return values;
 }
 
 /// Length: what comparisons of `where` take, as those of a set do.
@@ -79,7 +59,7 @@ class ExactField {
       }
       return;
     }
-    compared_.assign(static_cast<std::size_t>(columns), true);
+    compared_.assign(places_of(columns).size(), true);
     const output::ResultsReader file(reference);
     const auto step = step_of(file, measure, reference);
     if (file.columns(step.number, measure.field) != columns)
@@ -87,9 +67,14 @@ class ExactField {
     fit_.emplace(file.reference(), file.field(step.number, measure.field), columns, file.dimension());
   }
   bool compares(std::size_t component) const { return compared_[component]; }
+  /// Of each component.
   std::vector<double> at(const double* place, double t) const {
-    if (fit_) return fit_->at(place);
     std::vector<double> values;
+    if (fit_) {
+      const std::vector<double> columns = fit_->at(place);
+      for (const std::size_t c : places_of(static_cast<int>(columns.size()))) values.push_back(columns[c]);
+      return values;
+    }
     for (const deck::Expression& one : formulas_) values.push_back(one(place[0], place[1], place[2], t));
     return values;
   }
@@ -114,6 +99,7 @@ Values field_value(const Measure& measure, const PlannedRun& run, const std::str
                                   : formula(measure.where, run.numbers, {"x", "y", "z"}, measure.location));
   const double slack = slack_of(file, place, volume);
   const ExactField exact(measure, run, reference, columns);
+  const std::vector<std::size_t>& components = places_of(columns);
   double error = 0, size = 0, largest_error = 0, largest = 0;
   std::size_t taken = 0;
   for (std::size_t i = 0; i < file.particles(); ++i) {
@@ -124,7 +110,7 @@ Values field_value(const Measure& measure, const PlannedRun& run, const std::str
     double difference = 0, square = 0;
     for (std::size_t c = 0; c < wanted.size(); ++c) {
       if (!exact.compares(c)) continue;
-      difference += std::pow(field[i * wanted.size() + c] - wanted[c], 2);
+      difference += std::pow(field[i * static_cast<std::size_t>(columns) + components[c]] - wanted[c], 2);
       square += wanted[c] * wanted[c];
     }
     error += volume[i] * difference;
@@ -141,13 +127,7 @@ Values field_value(const Measure& measure, const PlannedRun& run, const std::str
 void check_measures(const Study& study, const PlannedRun& run, const deck::Deck& deck) {
   for (const Measure& measure : study.measures) {
     if (measure.field.empty()) {
-      Numbers numbers = run.numbers;
-      for (const char* own : {"step", "t", "stored_energy", "dissipated_energy", "external_work", "newton_iterations",
-                              "linear_iterations", "seconds", "products"})
-        numbers[own] = 1;
-      for (const deck::HistoryEntry& entry : deck.history) numbers[entry.name] = 1;
-      formula(measure.history, numbers, {}, measure.location);
-      if (!measure.exact.empty()) formula(measure.exact, run.numbers, {"t"}, measure.location);
+      check_history_measure(measure, run, deck);
       continue;
     }
     std::vector<std::string> fields = deck.output.fields;
@@ -173,7 +153,9 @@ Values counts_of(const std::string& folder) {
   const auto particles = static_cast<double>(file.particles());
   Values values{{"particles", particles}, {"unknowns", particles * file.dimension()}};
   const output::NumberTable table = output::read_table(folder + "/history.csv");
-  values["steps"] = static_cast<double>(table.rows.size());
+  const std::size_t step = table.column("step").value();
+  values["steps"] = static_cast<double>(
+      std::count_if(table.rows.begin(), table.rows.end(), [&](const auto& row) { return row[step] > 0; }));
   const std::pair<const char*, const char*> sums[] = {{"newton_iterations", "newton_iterations"},
                                                       {"linear_iterations", "linear_iterations"},
                                                       {"solve_seconds", "seconds"}};
@@ -186,7 +168,11 @@ Values counts_of(const std::string& folder) {
 
 Values measured(const Measure& measure, const PlannedRun& run, const std::string& folder,
                 const std::string& reference) {
-  return measure.field.empty() ? history_value(measure, run, folder) : field_value(measure, run, folder, reference);
+  Values values =
+      measure.field.empty() ? history_value(measure, run, folder) : field_value(measure, run, folder, reference);
+  for (const auto& [name, value] : values)
+    if (!std::isfinite(value)) throw RunError(fmt::format("{} of the run in {} is {}", name, folder, value));
+  return values;
 }
 
 }  // namespace perinox::study

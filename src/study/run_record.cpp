@@ -111,22 +111,10 @@ std::optional<RunRecord> read_record(const std::string& folder) {
   }
 }
 
-namespace {
-void add_clouds(Hash& hash, const deck::Shape& shape) {
-  if (const auto* cloud = std::get_if<deck::CloudFile>(&shape.form)) hash.add_file(cloud->path);
-  if (const auto* whole = std::get_if<deck::Union>(&shape.form))
-    for (const deck::Shape& part : whole->parts) add_clouds(hash, part);
-  if (const auto* rest = std::get_if<deck::Difference>(&shape.form))
-    for (const deck::Shape& part : rest->parts) add_clouds(hash, part);
-}
-}  // namespace
-
 std::string fingerprint(const deck::Deck& deck, int ranks, int repetitions) {
   Hash hash;
-  hash.add(deck::write_resolved(deck));
-  for (const deck::BodyPart& part : deck.body) add_clouds(hash, part.shape);
-  for (const deck::Load& load : deck.boundary)
-    if (load.table) hash.add_file(*load.table);
+  hash.add(deck::write_resolved(deck, deck::folder_of(deck.file)));
+  for (const deck::InputFile& file : deck::input_files(deck)) hash.add_file(file.path);
   hash.add(fmt::format("{} {}", ranks, repetitions));
   hash.add(program_hash());
   return hash.text();

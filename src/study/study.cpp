@@ -53,6 +53,23 @@ Sweep sweep_of(const Value& value) {
   return sweep;
 }
 
+void read_take(const Value& value, Measure& measure) {
+  const std::string take = value.at("take").text();
+  measure.take = static_cast<Take>(std::find(take_words().begin(), take_words().end(), take) - take_words().begin());
+  if (measure.take != Take::end && measure.at)
+    refuse(value.at("at").location(),
+           fmt::format("at is one row and take: {} chooses among all; remove one of them from the measure {}", take,
+                       measure.name));
+  if (measure.at && !measure.where.empty())
+    refuse(value.at("where").location(),
+           fmt::format("at is one row already; remove at or where from the measure {}", measure.name));
+  const bool has_argument = measure.take == Take::argmax || measure.take == Take::argmin;
+  if (value.has("argument") && !has_argument)
+    refuse(value.at("argument").location(),
+           fmt::format("argument goes with take: argmax and argmin only; remove it from the measure {}", measure.name));
+  if (has_argument) measure.argument = value.has("argument") ? value.at("argument").text() : "t";
+}
+
 Measure measure_of(const Value& value, const fs::path& folder) {
   Measure measure;
   measure.location = value.location();
@@ -73,10 +90,12 @@ Measure measure_of(const Value& value, const fs::path& folder) {
       refuse(value.at("at").location(), fmt::format("at must be a number or end, but '{}' was found", at));
   }
   if (!measure.history.empty()) {
-    for (const char* key : {"solution", "reference", "where"}) only(key, "history");
+    for (const char* key : {"solution", "reference"}) only(key, "history");
+    read_take(value, measure);
     return measure;
   }
-  only("exact", "field");
+  for (const char* key : {"exact", "argument"}) only(key, "field");
+  if (value.at("take").given()) only("take", "field");
   if (value.has("solution")) {
     only("reference", "solution");
     for (const auto& [component, text] : value.at("solution").entries()) measure.solution[component] = text.text();
@@ -164,6 +183,16 @@ const std::vector<std::string>& components_of(int columns) {
   static const std::vector<std::string> scalar{"value"}, vector{"x", "y", "z"},
       tensor{"xx", "xy", "xz", "yy", "yz", "zz"};
   return columns == 1 ? scalar : columns == 3 ? vector : tensor;
+}
+
+const std::vector<std::size_t>& places_of(int columns) {
+  static const std::vector<std::size_t> scalar{0}, vector{0, 1, 2}, tensor{0, 1, 2, 4, 5, 8};
+  return columns == 1 ? scalar : columns == 3 ? vector : tensor;
+}
+
+const std::vector<std::string>& take_words() {
+  static const std::vector<std::string> words{"end", "first", "last", "max", "argmax", "min", "argmin"};
+  return words;
 }
 
 const std::vector<std::string>& cost_columns() {

@@ -107,7 +107,7 @@ TEST(Run, LeavesItsFilesAndStatusZero) {
   EXPECT_THAT(outcome.out, HasSubstr("results in results/deck\n"));
   for (const char* name : {"results.h5", "results.xdmf", "history.csv", "convergence.csv", "deck.resolved.yaml"})
     EXPECT_TRUE(std::filesystem::is_regular_file(folder.path() / "results/deck" / name)) << name;
-  EXPECT_EQ(history_without_seconds(folder.path() / "results/deck").size(), 3);  // header and two steps
+  EXPECT_EQ(history_without_seconds(folder.path() / "results/deck").size(), 4);  // header, start and two steps
 }
 
 TEST(Run, WarnsWhereTheEnergiesDoNotAgree) {
@@ -162,8 +162,8 @@ TEST(Run, StopsShortWithTheReasonAndTheLastGoodStepOnDisk) {
                          "not converge and steps.adaptive is false; "));
   EXPECT_EQ(lines_of(outcome.error).size(), 2) << outcome.error;
   EXPECT_THAT(outcome.error, HasSubstr("\nresume with: perinox run deck.yaml --restart r/checkpoint.h5\n"));
-  EXPECT_EQ(history_without_seconds(folder.path() / "r").size(), 4);
-  EXPECT_EQ(count(read(folder.path() / "r/results.xdmf"), "<Time "), 3);
+  EXPECT_EQ(history_without_seconds(folder.path() / "r").size(), 5);
+  EXPECT_EQ(count(read(folder.path() / "r/results.xdmf"), "<Time "), 4);
 }
 
 TEST(Run, KeepsEarlierResults) {
@@ -199,7 +199,7 @@ TEST(Run, AnOverrideIsInTheResolvedDeck) {
                 .status,
             0);
   EXPECT_THAT(read(folder.path() / "r/deck.resolved.yaml"), HasSubstr("horizon: {length: 1.5}\n"));
-  EXPECT_EQ(history_without_seconds(folder.path() / "r").size(), 4);
+  EXPECT_EQ(history_without_seconds(folder.path() / "r").size(), 5);
 }
 
 TEST(Run, AndCheckAndVerifyTellOfAnUnknownThatIsPrescribedTwice) {

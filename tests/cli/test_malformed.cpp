@@ -142,7 +142,7 @@ const Mistake mistakes_in_decks[] = {
      "4.2e+18 neighbours; make it smaller, 3 spacings are usual"},
     {"spacing_beyond_double_precision", &base_deck, "spacing: 1.0", "spacing: 1e-300",
      "deck.yaml:4:5: the spacing 1e-300 of the body block is out of what double precision can compute with; choose "
-     "units in which it lies between 1e-50 and 1e+50"},
+     "units in which it lies between 1e-25 and 1e+25"},
     {"bodies_that_overlap", &base_deck, "horizon:",
      "  - {name: twin, shape: {box: {min: [0, 0, 3], max: [3, 3, 5]}}, spacing: 1, material: steel}\nhorizon:",
      "deck.yaml:8:5: particles 27 and 36 are in the same place (0.5, 0.5, 3.5); take one of them out, or move the "

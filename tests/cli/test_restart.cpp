@@ -10,8 +10,10 @@
 namespace perinox::cli {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StartsWith;
 
 /// A few plastic steps of a few milliseconds.
 const std::string deck = changed(changed(base_deck, "count: 2", "count: 6"), "0.01*t", "0.05*t");
@@ -57,11 +59,11 @@ int interrupted(const Folder& folder, const std::string& results, int signal, st
     dup2(file, STDERR_FILENO);
     if (chdir(folder.path().c_str()) == 0)
       execl(PERINOX_BINARY, PERINOX_BINARY, "run", "deck.yaml", "--output", results.c_str(), "--quiet", "--set",
-            set.c_str(), nullptr);
+            "output.checkpoint_every=1", "--set", set.c_str(), nullptr);
     _exit(127);
   }
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while ((lines_of(read(folder.path() / results / "history.csv")).size() < steps + 1 ||
+  while ((lines_of(read(folder.path() / results / "history.csv")).size() < steps + 2 ||
           !std::filesystem::exists(folder.path() / results / "checkpoint.h5")) &&
          std::chrono::steady_clock::now() < end)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -82,7 +84,7 @@ TEST(Restart, GoesOnInItsOwnDirectoryAsIfNothingHadBeen) {
   EXPECT_THAT(stopped.error, HasSubstr("step 1"));
   EXPECT_THAT(stopped.error, HasSubstr("steps.time_limit = 0.001"));
   EXPECT_THAT(stopped.error, HasSubstr("resume with: perinox run deck.yaml --restart part/checkpoint.h5"));
-  EXPECT_EQ(history(folder, "part").size(), 2u);
+  EXPECT_EQ(history(folder, "part").size(), 3u);
   const Outcome rest = folder.perinox({"run", "deck.yaml", "--restart", "part/checkpoint.h5"});
   ASSERT_EQ(rest.status, 0) << rest.error;
   EXPECT_THAT(rest.out, HasSubstr("restart after step 1"));
@@ -119,7 +121,7 @@ TEST(Restart, InAnotherDirectoryOnlyTheRestIsWritten) {
   ASSERT_EQ(
       folder.perinox({"run", "deck.yaml", "--restart", "part/checkpoint.h5", "--output", "rest", "--quiet"}).status, 0);
   std::vector<std::string> whole = history(folder, "whole");
-  whole.erase(whole.begin() + 1);
+  whole.erase(whole.begin() + 1, whole.begin() + 3);  // the start and step 1
   EXPECT_EQ(history(folder, "rest"), whole);
   EXPECT_EQ(read(folder.path() / "part/history.csv"), before);
 }
@@ -135,7 +137,7 @@ TEST(Restart, OnTwoRanksAndBack) {
   EXPECT_THAT(two.error, HasSubstr("after step 2"));
   EXPECT_THAT(two.error, HasSubstr("mpirun -np 2 perinox run deck.yaml --restart part/checkpoint.h5"));
   ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--restart", "part/checkpoint.h5", "--quiet"}).status, 0);
-  EXPECT_EQ(history(folder, "part").size(), 7u);
+  EXPECT_EQ(history(folder, "part").size(), 8u);
 }
 
 TEST(Restart, AnotherProblemIsRefused) {
@@ -156,7 +158,7 @@ TEST(Restart, AnotherProblemIsRefused) {
                           "--set", "steps.count=12", "--set", "solver.newton.tolerance=1e-9"})
                 .status,
             0);
-  EXPECT_EQ(history(folder, "part").size(), 13u);
+  EXPECT_EQ(history(folder, "part").size(), 14u);
 }
 
 TEST(Restart, ADamagedCheckpointIsRefusedWithASentence) {
@@ -203,9 +205,13 @@ TEST(Restart, ASignalEndsTheRunAfterItsStep) {
     folder.write("deck.yaml", deck);
     std::string error;
     EXPECT_EQ(interrupted(folder, "part", signal, 3, error), 1);
-    EXPECT_THAT(error, HasSubstr(signal == SIGTERM ? "SIGTERM" : signal == SIGINT ? "SIGINT" : "SIGUSR1"));
-    EXPECT_THAT(error, HasSubstr("resume with: perinox run deck.yaml --restart part/checkpoint.h5"));
-    const std::size_t steps = history(folder, "part").size() - 1;
+    const std::string name = signal == SIGTERM ? "SIGTERM" : signal == SIGINT ? "SIGINT" : "SIGUSR1";
+    // Said at once, and again when it is done.
+    EXPECT_THAT(error, StartsWith("\nperinox: " + name + ": stops after the step at hand; a second one ends the run"));
+    EXPECT_THAT(error, HasSubstr(name + " was received"));
+    EXPECT_THAT(error, HasSubstr("resume with: perinox run deck.yaml --restart part/checkpoint.h5 --set "
+                                 "output.checkpoint_every=1"));
+    const std::size_t steps = history(folder, "part").size() - 2;
     EXPECT_GE(steps, 3u);
     const Outcome rest = folder.perinox({"run", "deck.yaml", "--restart", "part/checkpoint.h5", "--quiet", "--set",
                                          "steps.count=2000", "--set", "steps.time_limit=1e-3"});
@@ -218,12 +224,12 @@ TEST(Restart, AKilledRunGoesOn) {
   folder.write("deck.yaml", deck);
   std::string error;
   EXPECT_EQ(interrupted(folder, "part", SIGKILL, 5, error), 128 + SIGKILL);
-  const std::size_t steps = history(folder, "part").size() - 1;
+  const std::size_t steps = history(folder, "part").size() - 2;
   const Outcome rest = folder.perinox({"run", "deck.yaml", "--restart", "part/checkpoint.h5", "--quiet", "--set",
                                        "steps.count=2000", "--set", "steps.time_limit=1e-3"});
   EXPECT_EQ(rest.status, 1) << rest.error;
   // The last row may have been on the disk before its checkpoint.
-  EXPECT_GE(history(folder, "part").size() - 1, steps);
+  EXPECT_GE(history(folder, "part").size() - 2, steps);
 }
 
 /// Goes on and on, a moment at a time, until the run is done; how often it stopped, and how often within a step.
@@ -299,7 +305,7 @@ TEST(Restart, ASignalEndsARunInTimeWithinItsRow) {
   EXPECT_THAT(error, HasSubstr("stopped within step 1"));
   EXPECT_THAT(error, HasSubstr("SIGTERM was received"));
   EXPECT_THAT(error, HasSubstr("resume with: perinox run deck.yaml --restart part/checkpoint.h5"));
-  EXPECT_EQ(history(folder, "part").size(), 1u);
+  EXPECT_EQ(history(folder, "part").size(), 2u);
   const Outcome rest = folder.perinox({"run", "deck.yaml", "--restart", "part/checkpoint.h5"});
   ASSERT_EQ(rest.status, 0) << rest.error;
   EXPECT_THAT(rest.out, HasSubstr("restart within step 1"));
@@ -320,6 +326,96 @@ TEST(Restart, AKilledRunInTimeGoesOnFromWithinItsRow) {
   ASSERT_EQ(rest.status, 0) << rest.error;
   EXPECT_THAT(rest.out, HasSubstr("restart within step"));
   EXPECT_EQ(history(folder, "part"), history(folder, "whole"));
+}
+
+TEST(Restart, QuickStepsAreNotEachCheckpointed) {
+  const Folder folder;
+  folder.write("deck.yaml", deck);
+  // Forty steps take less than the five seconds that the clock waits for: none until the end, and then one.
+  const Outcome run = folder.perinox({"run", "deck.yaml", "--output", "r", "--set", "steps.count=40"});
+  ASSERT_EQ(run.status, 0) << run.error;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "r/checkpoint.h5"));
+  const auto seconds_of = [&](const std::string& results) {
+    double sum = 0;
+    const std::vector<std::string> lines = lines_of(read(folder.path() / results / "history.csv"));
+    const std::vector<std::string> names = cells_of(lines[0]);
+    const auto column = std::find(names.begin(), names.end(), "seconds_output") - names.begin();
+    for (std::size_t k = 1; k < lines.size(); ++k)
+      sum += std::stod(cells_of(lines[k])[static_cast<std::size_t>(column)]);
+    return sum;
+  };
+  ASSERT_EQ(folder
+                .perinox({"run", "deck.yaml", "--output", "each", "--set", "steps.count=40", "--set",
+                          "output.checkpoint_every=1"})
+                .status,
+            0);
+  EXPECT_LT(seconds_of("r"), 0.7 * seconds_of("each"));  // OUTPUT_SHARE
+  // A stop has one whatever the clock says, and so has the clock.
+  ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "s", "--set", "steps.time_limit=1e-3"}).status, 1);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "s/checkpoint.h5"));
+}
+
+TEST(Restart, TheStartIsWrittenOnce) {
+  for (const std::string& text : {deck, testing::snapping_bar, testing::smashed_blocks}) {
+    const Folder folder;
+    folder.write("deck.yaml", text);
+    go_on_in_moments(folder, "part", {1});
+    const std::vector<std::string> rows = history(folder, "part");
+    ASSERT_GT(rows.size(), 3u);
+    EXPECT_THAT(rows[1], StartsWith("0,0,"));
+    EXPECT_THAT(rows[2], StartsWith("1,"));
+    EXPECT_THAT(read(folder.path() / "part/results.xdmf"), HasSubstr("results.h5:/steps/0/displacement"));
+  }
+}
+
+TEST(Restart, ARunInTimeStartsWithItsKineticEnergy) {
+  const Folder folder;
+  folder.write("deck.yaml", testing::smashed_blocks);
+  ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "r", "--quiet"}).status, 0);
+  const std::vector<std::string> rows = history(folder, "r"), names = cells_of(rows[0]);
+  const auto value = [&](std::size_t row, const char* name) {
+    const auto column = std::find(names.begin(), names.end(), name) - names.begin();
+    return std::stod(cells_of(rows[row])[static_cast<std::size_t>(column)]);
+  };
+  EXPECT_GT(value(1, "kinetic_energy"), 0);
+  EXPECT_EQ(value(1, "kinetic_energy"), value(1, "external_work"));  // what has given the blocks their velocities
+  EXPECT_EQ(value(1, "stored_energy"), 0);
+  EXPECT_EQ(value(1, "time_steps"), 0);
+}
+
+/// What is copied with its deck goes on where it is now; what its files hold must be the same.
+TEST(Restart, ACopiedRunGoesOnWithItsFiles) {
+  const Folder folder;
+  std::filesystem::create_directories(folder.path() / "old/data");
+  const std::string linear = changed(changed(cloud_deck, "cloud.csv", "data/cloud.csv"), "field.csv", "data/field.csv");
+  folder.write("old/deck.yaml",
+               linear + "steps: {end: 1, count: 4}\nhistory: [{name: u, displacement: all, component: x}]\n");
+  folder.write("old/data/cloud.csv", cloud);
+  folder.write("old/data/field.csv", field);
+  ASSERT_EQ(folder.perinox({"run", "old/deck.yaml", "--output", "whole", "--quiet"}).status, 0);
+  ASSERT_EQ(
+      folder.perinox({"run", "old/deck.yaml", "--output", "old/r", "--quiet", "--set", "steps.time_limit=1e-3"}).status,
+      1);
+  EXPECT_THAT(
+      read(folder.path() / "old/r/deck.resolved.yaml"),
+      AllOf(HasSubstr("file: ../data/cloud.csv"), HasSubstr("table: ../data/field.csv"), Not(HasSubstr("old"))));
+  std::filesystem::copy(folder.path() / "old", folder.path() / "copy", std::filesystem::copy_options::recursive);
+  std::filesystem::rename(folder.path() / "old", folder.path() / "gone");
+  // A table of other numbers at the same place is another problem.
+  folder.write("copy/data/field.csv", changed(field, "0.1,0,0", "0.2,0,0"));
+  const Outcome refused = folder.perinox({"run", "copy/deck.yaml", "--restart", "copy/r", "--quiet"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.error, AllOf(HasSubstr("copy/data/field.csv of boundary[0].displacement.table does not hold what "
+                                             "it held when copy/r/checkpoint.h5 was written"),
+                                   HasSubstr("start anew without --restart")));
+  folder.write("copy/data/field.csv", field);
+  const Outcome rest = folder.perinox({"run", "copy/deck.yaml", "--restart", "copy/r", "--quiet"});
+  ASSERT_EQ(rest.status, 0) << rest.error;
+  EXPECT_EQ(history(folder, "copy/r"), history(folder, "whole"));
+  // The resolved deck of the copy runs too.
+  const Outcome again = folder.perinox({"run", "copy/r/deck.resolved.yaml", "--output", "again", "--quiet"});
+  ASSERT_EQ(again.status, 0) << again.error;
+  EXPECT_EQ(history(folder, "again"), history(folder, "whole"));
 }
 
 }  // namespace

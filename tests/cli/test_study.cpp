@@ -7,6 +7,7 @@
 
 #include "decks.hpp"
 #include "program.hpp"
+#include "support/breaking_decks.hpp"
 
 namespace perinox::cli {
 namespace {
@@ -45,6 +46,16 @@ measures:
   - {name: early, field: displacement, at: 0.5, solution: {x: "0.5e-3*x"}, where: "x < 2"}
 )";
 
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> cells(1);
+  for (const char c : line)
+    if (c == ',')
+      cells.emplace_back();
+    else
+      cells.back() += c;
+  return cells;
+}
+
 using Table = std::vector<std::map<std::string, std::string>>;
 
 /// No cell of these studies holds a comma unless it is a reason, which is not asked for.
@@ -52,12 +63,7 @@ Table table_of(const std::filesystem::path& file) {
   Table table;
   std::vector<std::string> names;
   for (const std::string& line : lines_of(read(file))) {
-    std::vector<std::string> cells(1);
-    for (const char c : line)
-      if (c == ',')
-        cells.emplace_back();
-      else
-        cells.back() += c;
+    const std::vector<std::string> cells = split(line);
     if (names.empty()) {
       names = cells;
       continue;
@@ -134,12 +140,110 @@ TEST(Study, HasItsFolderToItself) {
   folder.write("strip.yaml", strip);
   folder.write("study.yaml", sweep_study);
   std::filesystem::create_directories(folder.path() / "r/runs");
-  const int other = open((folder.path() / "r/runs/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  const int other = open((folder.path() / "r/runs/run.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   ASSERT_EQ(flock(other, LOCK_EX), 0);
   const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r"});
   close(other);
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.error, "another study is running in r; choose another folder with --output\n");
+  EXPECT_EQ(outcome.error,
+            "the output directory r/runs is in use by another process: wait for its end, or choose another directory "
+            "with --output\n");
+}
+
+/// A bar that breaks: without a fallback the run stops when its crack runs, and the peak is what the study is for.
+TEST(Study, MeasuresWhatAStoppedRunHasReached) {
+  const Folder folder;
+  folder.write("deck.yaml", testing::snapping_bar);
+  folder.write("study.yaml", R"yaml(deck: deck.yaml
+set: {steps.end: 0.25, steps.count: 5}
+sweep: [{key: fallback, values: [none, automatic]}]
+measures:
+  - {name: begin, history: t, take: first}
+  - {name: reached, history: t, take: last}
+  - {name: most, history: stretch, take: max}
+  - {name: least, history: stretch, take: min}
+  - {name: when, history: stretch, take: argmax}
+  - {name: at_least, history: stretch, take: argmin, argument: "2*step"}
+  - {name: broken_at, history: t, take: first, where: "broken_bonds > 0"}
+  - {name: ratio, history: "stretch/t", take: max, where: "step > 0"}
+  - {name: senseless, history: "stretch/t", take: max}
+  - {name: infinite, history: "1/(step - step)"}
+  - {name: finish, history: t}
+)yaml");
+  const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r", "--quiet"});
+  EXPECT_EQ(outcome.status, 1);
+  const std::string csv = read(folder.path() / "r/study.csv");
+  const Table table = table_of(folder.path() / "r/study.csv");
+  ASSERT_EQ(table.size(), 2);
+  EXPECT_EQ(table[0].at("status"), "1");
+  EXPECT_EQ(table[1].at("status"), "0");
+  const std::string text = read(folder.path() / "r/runs/fallback-none/history.csv");
+  const std::vector<std::string> rows = lines_of(text);
+  ASSERT_EQ(rows.size(), 4u);  // the start, t = 0.05 and 0.1
+  // The reason of a stopped run may hold commas; its cells are counted from the end.
+  const auto cell = [&](std::size_t row, const std::string& name) {
+    const std::vector<std::string> names = split(lines_of(csv)[0]), cells = split(lines_of(csv)[row + 1]);
+    const auto column = std::find(names.begin(), names.end(), name) - names.begin();
+    return cells[cells.size() - names.size() + static_cast<std::size_t>(column)];
+  };
+  EXPECT_EQ(cell(0, "begin"), "0");
+  EXPECT_EQ(cell(0, "reached"), split(rows[3])[1]);
+  EXPECT_EQ(cell(0, "most"), split(rows[3])[2]);
+  EXPECT_EQ(cell(0, "least"), "0");
+  EXPECT_EQ(cell(0, "when"), split(rows[3])[1]);
+  EXPECT_EQ(cell(0, "at_least"), "0");
+  EXPECT_EQ(cell(0, "broken_at"), "");
+  EXPECT_EQ(cell(0, "finish"), "");
+  EXPECT_GT(std::stod(cell(0, "ratio")), 0);
+  EXPECT_NEAR(std::stod(cell(1, "broken_at")), 0.15, 1e-12);
+  EXPECT_EQ(cell(1, "finish"), "0.25");
+  for (const std::size_t row : {0, 1}) {
+    EXPECT_EQ(cell(row, "senseless"), "") << "0/0 at the start";
+    EXPECT_EQ(cell(row, "infinite"), "");
+  }
+  EXPECT_THAT(csv, HasSubstr("the measure senseless is "));
+  EXPECT_THAT(csv, HasSubstr("in step 0, t = 0; leave rows out"));
+}
+
+TEST(Study, ComponentsOfTensorsAreTakenByTheirNames) {
+  const Folder folder;
+  folder.write("strip.yaml", R"yaml(dimension: plane-strain
+body: [{name: plate, shape: {box: {min: [0, 0], max: [6, 6]}}, spacing: 1, material: steel}]
+horizon: {ratio: 2.015}
+deformation: small
+materials: {steel: {model: elastic, bulk_modulus: 160e3, shear_modulus: 80e3}}
+boundary: [{set: all, displacement: {x: "(1e-3*x + 1e-3*y)*t", y: "(2e-3*x + 4e-3*y)*t"}}]
+steps: {end: 1, count: 1}
+output: {fields: [strain]}
+)yaml");
+  folder.write("study.yaml", R"yaml(deck: strip.yaml
+sweep: [{key: body.0.spacing, values: [1]}]
+measures:
+  - {name: whole, field: strain, solution: {xx: 1e-3, xy: 1.5e-3, xz: 0, yy: 4e-3, yz: 0, zz: 0}}
+  - {name: xx, field: strain, solution: {xx: 2e-3}}
+  - {name: yy, field: strain, solution: {yy: 2e-3}}
+  - {name: xy, field: strain, solution: {xy: 3e-3}}
+)yaml");
+  const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r", "--quiet"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  const auto row = table_of(folder.path() / "r/study.csv")[0];
+  EXPECT_LT(std::stod(row.at("whole_error")), 1e-12);
+  EXPECT_NEAR(std::stod(row.at("xx_error")), 0.5, 1e-12);
+  EXPECT_NEAR(std::stod(row.at("yy_error")), 1, 1e-12);
+  EXPECT_NEAR(std::stod(row.at("xy_error")), 0.5, 1e-12);
+}
+
+TEST(Study, AMeasureThatIsNotFiniteIsAFailure) {
+  const Folder folder;
+  folder.write("strip.yaml", strip);
+  folder.write("study.yaml",
+               "deck: strip.yaml\nsweep: [{key: body.0.spacing, values: [1]}]\nmeasures: [{name: F, history: "
+               "\"pull/(step - 2)\"}]\n");
+  const Outcome outcome = folder.perinox({"study", "study.yaml", "--output", "r", "--quiet"});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.error, HasSubstr("warning: 1 of 1 runs stopped short or could not be measured"));
+  EXPECT_THAT(read(folder.path() / "r/study.csv"), HasSubstr("F of the run in r/runs/spacing-1 is inf"));
+  EXPECT_EQ(table_of(folder.path() / "r/study.csv")[0].at("F"), "");
 }
 
 TEST(Study, TakesUpWhereItWasKilled) {
@@ -237,7 +341,8 @@ TEST(Study, IsRefusedBeforeAnythingRuns) {
   folder.write("strip.yaml", strip);
   const std::pair<std::string, std::string> mistakes[] = {
       {changed(sweep_study, "values: [whole,", "values: [hole,"),
-       "--set quadrature=hole: quadrature cannot be 'hole'; did you mean whole? (in the run quadrature-hole_spacing-1 "
+       "--set quadrature=hole: quadrature cannot be 'hole'; did you mean whole? (in the run "
+       "quadrature-hole_spacing-1 "
        "of "
        "study.yaml)\n"},
       {changed(sweep_study, "body.0.spacing", "body.0.spacng"),

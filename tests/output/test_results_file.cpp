@@ -81,6 +81,46 @@ TEST_F(ResultsFileTest, IsReadableAfterEveryStepWhileTheRunGoesOn) {
   }
 }
 
+/// Nine columns in the order that every reader names them in: xx xy xz, yx yy yz, zx zy zz.
+TEST_P(ResultsFileTest, TensorsHaveNineColumns) {
+  const int dimension = GetParam();
+  const body::Body body = test::shuffled_body(one_rank_, total, dimension);
+  ResultsFile results(directory_.path(), "", {"block"}, body);
+  const auto stress = field_values(body, 5, 6);
+  results.write(test::step_record(0, 0), {{"stress", 6, stress.data()}});
+  const ParallelFile file(results.path(), one_rank_, ParallelFile::Mode::read);
+  const auto written = file.read_rows("/steps/0/stress", total, 0, total, 9);
+  const int place[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};  // in xx, xy, xz, yy, yz, zz
+  for (GlobalId row = 0; row < total; ++row)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        EXPECT_EQ(written[static_cast<std::size_t>(row * 9 + i * 3 + j)], value_of(row, 5, place[i][j]));
+  const std::string xml = test::file_text(directory_ / "results.xdmf");
+  EXPECT_THAT(xml,
+              HasSubstr("<Attribute Name=\"stress\" AttributeType=\"Tensor\" Center=\"Node\">\n          <DataItem "
+                        "Dimensions=\"101 9\" NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">"
+                        "results.h5:/steps/0/stress</DataItem>"));
+  EXPECT_EQ(xml.find("Tensor6"), std::string::npos);
+}
+
+TEST_F(ResultsFileTest, AFileWithTensorsOfSixColumnsIsNotGoneOnWith) {
+  const body::Body body = test::shuffled_body(one_rank_, total, 3);
+  { const ResultsFile results(directory_.path(), "", {"block"}, body); }
+  {
+    ParallelFile file(directory_ / "results.h5", one_rank_, ParallelFile::Mode::append);
+    file.make_group("/steps/1");
+    file.set_attribute("/steps/1", "t", 0.5);
+    file.write_rows("/steps/1/stress", std::vector<double>(6 * total, 1.0), total, 0, 6);
+    file.close();
+  }
+  try {
+    const ResultsFile results(directory_.path(), "", {"stress"}, body, ResultsFile::Continue{1, 0});
+    ADD_FAILURE() << "an index that names six columns wrongly was made";
+  } catch (const RunError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("results.h5 has six columns of stress"));
+  }
+}
+
 TEST_F(ResultsFileTest, TheIndexCountsStepsWhereTMayTurnBack) {
   const body::Body body = test::shuffled_body(one_rank_, total, 3);
   ResultsFile results(directory_.path(), "", {"block"}, body, true);

@@ -56,6 +56,7 @@ TEST_F(RunWriterTest, WritesWhatWasAskedAndSaysWhatIsMissing) {
   ::testing::internal::CaptureStdout();
   {
     RunWriter writer(deck_, body_, place, true);
+    writer.run_begins(record(0, false));
     writer.newton_iteration({1, 0.5, 0, 1, 1, 0, 0, 0, 0, 1});
     writer.step_rejected(0, 0.5, "no descent");
     writer.newton_iteration({1, 0.25, 0, 1, 1, 0, 0, 0, 0, 1});
@@ -69,14 +70,15 @@ TEST_F(RunWriterTest, WritesWhatWasAskedAndSaysWhatIsMissing) {
             "warning: this scene carries no field damage: it is not in results.h5\n");
 
   const ParallelFile file(place + "/results.h5", one_rank_, ParallelFile::Mode::read);
+  EXPECT_TRUE(file.has("/steps/0/displacement"));
   EXPECT_FALSE(file.has("/steps/1"));  // every: 2
   EXPECT_TRUE(file.has("/steps/2/displacement"));
   EXPECT_TRUE(file.has("/steps/3/force"));  // the last one, asked or not
   EXPECT_TRUE(file.has("/steps/3/dilatation"));
   EXPECT_FALSE(file.has("/steps/3/stored_energy"));
   EXPECT_THAT(test::file_lines(place + "/history.csv"),
-              ElementsAre(StartsWith("step,t,pull,"), StartsWith("1,0.25,10,"), StartsWith("2,0.5,20,"),
-                          StartsWith("3,0.75,30,")));
+              ElementsAre(StartsWith("step,t,pull,"), StartsWith("0,0,0,"), StartsWith("1,0.25,10,"),
+                          StartsWith("2,0.5,20,"), StartsWith("3,0.75,30,")));
   EXPECT_THAT(test::file_lines(place + "/convergence.csv"),
               ElementsAre(StartsWith("step,t,attempt,"), StartsWith("1,0.5,1,0,"), StartsWith("1,0.25,2,0,"),
                           StartsWith("2,0.5,1,0,")));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "perinox/solve/path_constraint.hpp"
 #include "support/runs.hpp"
 
 namespace perinox::testing {
@@ -342,6 +343,17 @@ TEST(ArcLength, WhereALoadTurnsBack) {
   EXPECT_FALSE(turn("t<0.5 ? 0 : t-0.5", 0, 1));                                   // it begins late
   EXPECT_FALSE(turn("exp(-(x-9-3*t)^2)", 0, 1));                                   // it travels
   EXPECT_NEAR(turn("t<0.4 ? t : t<0.7 ? 0.4 : 1.1-t", 0, 1).value(), 0.55, 0.16);  // it rests in between
+}
+
+TEST(ArcLength, TheMeanOfUntilIsByVolume) {
+  const Communicator self(MPI_COMM_SELF);
+  const std::vector<LocalIndex> set{0, 2};
+  const std::vector<double> volume{1, 7, 3}, displacement{0.1, 9, 9, 9, 0.5, 9};
+  const solve::FixedMean mean(self, set, volume, 2, 0, 0.8);
+  EXPECT_NEAR(mean.mean(displacement), (0.1 + 3 * 0.5) / 4, 1e-16);
+  solve::PathPoint at;
+  at.displacement = displacement;
+  EXPECT_NEAR(mean.value(at), 0.4 / 0.8 - 1, 1e-15);
 }
 
 }  // namespace

@@ -24,6 +24,90 @@ TEST(LoadStepper, EveryWholeStepEndsExactlyWhereTheDeckSays) {
   EXPECT_EQ(run.records.stopped_after, -1);
 }
 
+TEST(LoadStepper, TheStartIsToldOnceAndIsAtRest) {
+  const RunResult run = run_deck(deck_of(pulled_cube(6, 0.03, 3)));
+  ASSERT_EQ(run.records.begins.size(), 1u);
+  const solve::StepRecord& start = run.records.begins.front();
+  EXPECT_EQ(start.step, 0);
+  EXPECT_EQ(start.t, 0.0);
+  EXPECT_FALSE(start.last);
+  EXPECT_EQ(start.history, std::vector<double>(start.history.size(), 0.0));
+  EXPECT_EQ(start.stored_energy, 0.0);
+}
+
+/// Coarse and fine halves under u_x = 0.01 x; the coarse one flows, and both are brought back.
+const std::string two_spacings = R"yaml(
+dimension: plane-strain
+bond_bodies: false
+body:
+  - {name: coarse, shape: {box: {min: [0, 0], max: [6, 6]}}, spacing: 1, material: soft}
+  - {name: fine, shape: {box: {min: [6, 0], max: [12, 6]}}, spacing: 0.5, material: hard}
+horizon: {length: 3.015}
+materials:
+  soft: {model: elastic-plastic, young_modulus: 1000, poisson_ratio: 0.3, yield_stress: {tension: 1}}
+  hard: {model: elastic-plastic, young_modulus: 1000, poisson_ratio: 0.3, yield_stress: {tension: 1e6}}
+boundary: [{set: all, displacement: {x: "0.01*x*(1 - abs(1 - t))", y: 0}}]
+steps: {end: 2, count: 2}
+history: [{name: mean, displacement: all, component: x}, {name: flowed, yielded: all}]
+)yaml";
+
+TEST(LoadStepper, MeansAreByVolume) {
+  const RunResult run = run_deck(deck_of(two_spacings));
+  ASSERT_EQ(run.stopped, "");
+  const std::vector<double>& top = run.records.steps[0].history;
+  EXPECT_NEAR(top[0], 0.06, 1e-15);  // 0.078 where each particle counts alike; measured 1e-17
+  EXPECT_NEAR(top[1], 0.5, 1e-14);   // 0.2 where each particle counts alike
+  // What has flowed stays so, though nothing flows at the end.
+  const std::vector<double>& back = run.records.steps[1].history;
+  EXPECT_NEAR(back[0], 0, 1e-15);
+  EXPECT_NEAR(back[1], 0.5, 1e-14);
+}
+
+/// A bar of spacing h, pulled until it flows in part.
+std::string bar_of(double h) {
+  return fmt::format(R"yaml(
+dimension: 3
+body: [{{name: bar, shape: {{box: {{min: [0, 0, 0], max: [{1}, {1}, {2}]}}}}, spacing: {0}, material: m}}]
+horizon: {{ratio: 2.015}}
+materials:
+  m: {{model: elastic-plastic, young_modulus: 1000, poisson_ratio: 0.3, density: 1000, yield_stress: {{tension: 5}}}}
+sets: {{low: {{where: "z < {3}"}}, high: {{where: "z > {4}"}}}}
+boundary: [{{set: low, displacement: {{x: 0, y: 0, z: 0}}}}, {{set: high, displacement: {{z: "{5}*t"}}}}]
+steps: {{end: 1, count: 4}}
+history: [{{name: pull, reaction: high, component: z}}, {{name: flowed, yielded: all}}]
+)yaml",
+                     h, 4 * h, 8 * h, 2 * h, 6 * h, 0.04 * h);
+}
+
+/// In units of h, from one end of what is not refused to the other.
+TEST(LoadStepper, SpacingsThatAreNotRefusedWork) {
+  const RunResult one = run_deck(deck_of(bar_of(1)));
+  ASSERT_EQ(one.stopped, "");
+  EXPECT_GT(one.records.steps.back().history[1], 0.1) << "nothing flows";
+  for (const double h : {2e-25, 5e24}) {
+    const RunResult run = run_deck(deck_of(bar_of(h)));
+    ASSERT_EQ(run.stopped, "") << h;
+    ASSERT_EQ(run.records.steps.size(), one.records.steps.size()) << h;
+    for (std::size_t k = 0; k < one.records.steps.size(); ++k) {
+      const solve::StepRecord &a = one.records.steps[k], &b = run.records.steps[k];
+      EXPECT_NEAR(b.history[0] / (h * h), a.history[0], 1e-8 * a.history[0]) << h;
+      EXPECT_EQ(b.history[1], a.history[1]) << h;
+      EXPECT_NEAR(b.stored_energy / (h * h * h), a.stored_energy, 1e-8 * a.stored_energy) << h;
+    }
+  }
+}
+
+/// The time step that an estimate finds is in units of h sqrt(density/modulus).
+TEST(LoadStepper, TheStableTimeStepGoesWithTheSpacing) {
+  const auto stable = [](double h) {
+    const deck::Deck deck = deck_of(bar_of(h), {"dynamics=explicit", fmt::format("steps.end={}", h)});
+    mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
+    return solve::TimeStepper(deck, scene).plan().stable / h;
+  };
+  const double one = stable(1);
+  for (const double h : {2e-25, 1e-10, 1e10, 5e24}) EXPECT_NEAR(stable(h), one, 1e-12 * one) << h;
+}
+
 TEST(LoadStepper, ReactionsBalanceAndPullOutwards) {
   const RunResult run = run_deck(deck_of(pulled_cube(6, 0.03, 3)));
   const std::vector<double>& history = run.records.steps.back().history;

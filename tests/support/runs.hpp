@@ -30,6 +30,10 @@ class Recorder : public solve::Observer {
     rejected.push_back({t_from, t_to});
     reasons.push_back(reason);
   }
+  void run_begins(const solve::StepRecord& record) override {
+    begins.push_back(record);
+    begins.back().fields.clear();
+  }
   void step_committed(const solve::StepRecord& record) override {
     steps.push_back(record);
     steps.back().fields.clear();  // they point into the stepper
@@ -47,6 +51,7 @@ class Recorder : public solve::Observer {
   }
 
   std::vector<solve::NewtonIteration> iterations;
+  std::vector<solve::StepRecord> begins;  ///< step 0; none of a run that goes on
   std::vector<solve::StepRecord> steps;
   std::vector<std::pair<double, double>> rejected;
   std::vector<std::string> reasons;

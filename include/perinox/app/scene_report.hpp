@@ -27,6 +27,7 @@ struct Problem {
 
 /// Reads the deck, builds the scene, describes it. Collective; throws InputError.
 Problem prepare(const Options& options, const Communicator& communicator);
+Problem prepare(deck::Deck deck, const Communicator& communicator);
 
 /// The remarks on the deck, its materials and its boundary, on rank 0, as notes on standard error; quiet or not.
 void say_remarks(const Problem& problem, const solve::Boundary& boundary, const Communicator& communicator);

@@ -9,8 +9,10 @@ namespace perinox::body {
 
 /// A horizon of more spacings than this is taken for a slip of the unit or of a digit.
 constexpr double most_spacings = 100;
-/// Spacings outside of these have weighted volumes that double precision cannot hold.
-constexpr double smallest_length = 1e-50, largest_length = 1e50;
+/// Outside of these what is computed of a spacing h leaves double precision: the tangent of flow in 3-D goes with
+/// h^-10, and factors with more. Measured: scenes of all kinds agree with those of h = 1 to rounding from 1e-30 to 1e30
+/// with moduli near 1000; none does at 1e-40. The rest is for moduli and densities of any unit.
+constexpr double smallest_length = 1e-25, largest_length = 1e25;
 /// The least that is kept for each particle and each listed bond, bytes; docs/performance.md says what it is in all.
 constexpr double least_a_particle = 250, least_a_bond = 12;
 

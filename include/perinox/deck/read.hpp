@@ -13,9 +13,22 @@ Deck read(const std::string& file, const Schema& schema, const std::vector<std::
 /// The same from text; `file` is only named in messages.
 Deck read_text(const std::string& yaml, const std::string& file, const Schema& schema,
                const std::vector<std::string>& overrides = {});
-/// The deck with every default filled in, as YAML that reads back to the same deck. Input-file paths in it are
-/// absolute, so that it runs from the results folder.
-std::string write_resolved(const Deck& deck);
+/// A deck that a checkpoint holds, to be compared with another: the files that it names need not be there any more.
+Deck read_saved(const std::string& yaml, const std::string& file, const Schema& schema);
+/// Absolute path of the folder at which the names in a file start.
+std::string folder_of(const std::string& file);
+
+/// The deck with every default filled in, as YAML that reads back to the same deck in a file of `folder`: names of
+/// input files that are relative in the deck are relative to it. Without a folder all of them are absolute.
+std::string write_resolved(const Deck& deck, const std::string& folder = "");
+
+/// An input file that a deck names.
+struct InputFile {
+  std::string key;   ///< "body[0].shape.file"
+  std::string path;  ///< that opens it
+};
+/// All of them, in the order of the keys.
+std::vector<InputFile> input_files(const Deck& deck);
 
 /// The candidate nearest to `word` by edit distance, or "" if none is near.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);

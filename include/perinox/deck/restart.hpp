@@ -9,8 +9,8 @@ namespace perinox::deck {
 
 /// What a deck says about checkpoints and about stopping in time.
 struct Checkpoints {
-  int every = 1;                          ///< committed steps; 0: none
-  double seconds = 60;                    ///< between checkpoints within a step, wall clock
+  std::optional<int> every = {};          ///< committed steps; 0: none; nothing: by the clock
+  double seconds = 5;                     ///< between two checkpoints at least, wall clock
   std::optional<double> time_limit = {};  ///< of the run, wall-clock seconds
 };
 Checkpoints checkpoints(const Deck& deck);
@@ -25,7 +25,8 @@ struct ChangedKey {
   bool allowed = false;       ///< on a restart: see may_change()
 };
 
-/// Every difference, in the order of the keys. Numbers are compared as numbers.
+/// Every difference, in the order of the keys. Numbers are compared as numbers, names of input files not at all: what
+/// the files hold is compared elsewhere.
 std::vector<ChangedKey> changed_keys(const Value& before, const Value& after);
 
 /// True for the keys that may change between a checkpoint and the run that goes on from it: they decide how steps are

@@ -36,9 +36,14 @@ class Value {
   long long integer() const;
   bool boolean() const;
   const std::string& text() const;
+  /// True for the name of an input file; its text() is the path that opens it.
+  bool is_file() const;
+  /// An input file's name as the deck has it, which starts at the deck's folder unless it is absolute.
+  const std::string& written() const;
 
   Value();
   static Value scalar(std::string text, Location where, bool given);
+  static Value file(std::string path, std::string written, Location where, bool given);
   static Value list(std::vector<Value> items, Location where, bool given);
   static Value map(std::vector<std::pair<std::string, Value>> entries, Location where, bool given);
 

@@ -16,7 +16,8 @@ namespace perinox::output {
 struct CheckpointHead {
   int step = 0;
   double t = 0;
-  std::string deck{};               ///< resolved, as YAML
+  std::string deck{};               ///< resolved, as YAML; names of its files start at its folder
+  std::string files{};              ///< what the deck's files hold: see file_fingerprints()
   std::string perinox_version{};    ///< that has written it
   long long ranks = 0;              ///< that have written it
   long long history_bytes = 0;      ///< of history.csv up to this step
@@ -29,6 +30,10 @@ struct CheckpointHead {
 /// A number for the particles: ids, reference positions, volumes, bodies, materials. The same on any number of ranks.
 /// Sixteen hexadecimal digits. Collective.
 std::string body_fingerprint(const body::Body& body);
+
+/// What the input files of a deck hold: a line each, "<key of the deck> <checksum>". Collective. Throws RunError if one
+/// cannot be read.
+std::string file_fingerprints(const deck::Deck& deck, const Communicator& communicator);
 
 /// Writes checkpoints of one run to one path, each in the place of the last: to a temporary beside it, which is brought
 /// to the disk and renamed. At every moment there is a whole checkpoint under the path, the last or the one before.

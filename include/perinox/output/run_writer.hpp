@@ -40,6 +40,8 @@ class RunWriter : public solve::Observer {
   void phase_ended(const solve::MotionPhase& phase) override;
   void moves(const solve::MotionMoment& moment) override;
   void note(const std::string& sentence) override;
+  /// Row and step 0.
+  void run_begins(const solve::StepRecord& record) override;
   /// history.csv: every step; results.h5: every deck.output.every-th step and the last, with displacement, force and
   /// the fields of deck.output.fields that the scene carries. Collective. Throws RunError if the disk refuses.
   void step_committed(const solve::StepRecord& record) override;
@@ -53,6 +55,8 @@ class RunWriter : public solve::Observer {
  private:
   struct Files;
   void begin(const deck::Deck& deck, const body::Body& body, bool quiet, const Continuation* from);
+  /// The row, and the step if it is one of those that are written.
+  void write(const solve::StepRecord& record);
   std::unique_ptr<Files> files_;
 };
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "perinox/deck/deck.hpp"
 #include "perinox/solve/record.hpp"
 
 namespace perinox::output {
@@ -43,6 +44,7 @@ class HistoryTable {
     bool motion = false;
     bool phases = false;  ///< with motion
     bool overlap = false;
+    static Columns of(const deck::Deck& deck);
   };
   HistoryTable(const std::string& path, const std::vector<std::string>& names) : HistoryTable(path, names, {}) {}
   /// kept: bytes of an existing table that stay; 0: a new one.
@@ -56,6 +58,10 @@ class HistoryTable {
   GrowingFile file_;
   Columns columns_;
 };
+
+/// Names of the history entries of a deck, and of all columns that its run writes.
+std::vector<std::string> history_names(const deck::Deck& deck);
+std::vector<std::string> history_columns(const deck::Deck& deck);
 
 /// `convergence.csv`: one row a Newton iteration. Columns: step, t, attempt, iteration, residual, relative_residual,
 /// update, relative_update, linear_iterations, forcing, step_length. `attempt` counts from 1 within a step: the rows of

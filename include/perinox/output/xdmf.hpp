@@ -12,10 +12,11 @@ class XdmfIndex {
  public:
   struct FieldShape {
     std::string name;
-    int columns = 0;  ///< 0: [n]; 3: vectors [n, 3]; 6: symmetric tensors xx xy xz yy yz zz [n, 6]
+    int columns = 0;  ///< 0: [n]; 3: vectors [n, 3]; 9: tensors, row by row, [n, 9]
   };
-  /// Of a field of so many components; 2-D vectors are written with three.
-  static int columns_of(int components) { return components == 1 ? 0 : components == 6 ? 6 : 3; }
+  /// Of a field of so many components. 2-D vectors are written with three, and symmetric tensors with all nine: readers
+  /// do not agree on the order of six (docs/results.md).
+  static int columns_of(int components) { return components == 1 ? 0 : components == 6 ? 9 : 3; }
 
   /// h5_name: of the HDF5 file, relative to the index; particles: rows of every dataset.
   XdmfIndex(std::string title, std::string h5_name, GlobalId particles);

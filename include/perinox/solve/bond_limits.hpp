@@ -29,11 +29,11 @@ struct CrossedBonds {
 /// spacing: 0 for the integrals.
 CrossedBonds crossed_bonds(const deck::Deck& deck, double horizon, double spacing);
 
-/// One limit a body of the deck, from its material, its own lattice and nothing else. An energy release rate G_c becomes the bond energy G_c/(count toughness), so that the bonds
-/// across a crack take G_c an area together, the toughness being what a lattice adds of its own (measured, 1 for
-/// clouds), or the stretch at which they hold that much when the material is stretched alike in all
-/// directions, s^2 = G_c m/(d^2 kappa square). Throws InputError at the damage law: a law that the material does not
-/// have what it takes for.
+/// One limit a body of the deck, from its material, its own lattice and nothing else. An energy release rate G_c
+/// becomes the bond energy G_c/(count toughness), so that the bonds across a crack take G_c an area together, the
+/// toughness being what a lattice adds of its own (measured, 1 for clouds), or the stretch at which they hold that much
+/// when the material is stretched alike in all directions, s^2 = G_c m/(d^2 kappa square). Throws InputError at the
+/// damage law: a law that the material does not have what it takes for.
 std::vector<BondLimit> bond_limits(const deck::Deck& deck, const mechanics::Scene& scene);
 
 /// One line a material that can break, or one a body where they differ: "steel: bonds break at a stretch of 0.002",

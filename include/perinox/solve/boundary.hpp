@@ -55,9 +55,9 @@ class Boundary {
   /// of tables, and then pinned down; what comes and goes between two of them is not seen. as_it_came: also at `from`
   /// itself, where the load has come from the other side. Prescribed velocities are no loads here. Collective.
   std::optional<double> first_reversal(double from, double to, bool as_it_came) const;
-  /// For the log: one sentence for each entry that prescribes unknowns of an earlier one too, for each table that is not
-  /// a load over all of the run, and for each load that turns back within a load step where some material remembers its
-  /// way.
+  /// For the log: one sentence for each entry that prescribes unknowns of an earlier one too, for each table that is
+  /// not a load over all of the run, and for each load that turns back within a load step where some material remembers
+  /// its way.
   const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:

@@ -74,6 +74,8 @@ class ExplicitMotion {
 
   /// One time step of length dt.
   void step(double dt);
+  /// Finds the forces and accelerations that the first time step, of the length dt, goes from. step() does so itself.
+  void begin(double dt);
   /// To be called after bonds of the scene have broken between two time steps: evaluates forces and contacts anew at
   /// the present state. The energy that went with the bonds, all ranks; it counts as released from here on.
   double bonds_have_broken();

@@ -68,6 +68,10 @@ class LoadStepper {
   void save(StateWriter& writer) const;
   void restore(StateReader& reader);
 
+  /// Called on every rank before the run stops because a step does not converge: the state is that of the last
+  /// committed step, `last`, and what is saved now goes on with a whole step.
+  void on_stop(Told callback) { stopped_ = std::move(callback); }
+
   const mechanics::Committed& committed() const { return committed_; }
   const Boundary& boundary() const { return boundary_; }
   Newton& newton() { return newton_; }
@@ -131,9 +135,10 @@ class LoadStepper {
   Converged converged_;
   StepRecords records_;
   Validity validity_;
-  Told told_;
+  Told told_, stopped_;
   Passing passing_;
   int step_ = 0;
+  bool restored_ = false;
   int passes_ = 0;                       ///< of the step at hand
   std::optional<MotionRow> motion_;      ///< where the run may go on in time
   std::unique_ptr<HandOver> hand_over_;  ///< while the run goes on in time

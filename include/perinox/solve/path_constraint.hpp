@@ -62,11 +62,12 @@ class FixedLoad : public PathConstraint {
   double t_, load_;
 };
 
-/// The mean displacement of a set is given.
+/// The mean displacement of a set, by volume, is given.
 class FixedMean : public PathConstraint {
  public:
-  /// set: this rank's particles; kept by reference. target: length, not zero.
-  FixedMean(const Communicator& ranks, const std::vector<LocalIndex>& set, int dimension, int component, double target);
+  /// set: this rank's particles; volume: of all of them. Both are kept by reference. target: length, not zero.
+  FixedMean(const Communicator& ranks, const std::vector<LocalIndex>& set, const std::vector<double>& volume,
+            int dimension, int component, double target);
   /// Mean displacement of the set, length.
   double mean(const std::vector<double>& displacement) const;
   double value(const PathPoint& at) const override { return mean(at.displacement) / target_ - 1; }
@@ -78,9 +79,10 @@ class FixedMean : public PathConstraint {
  private:
   const Communicator& ranks_;
   const std::vector<LocalIndex>& set_;
+  const std::vector<double>& volume_;
   std::size_t dimension_, component_;
   double target_;
-  double count_;  ///< particles of the set, all ranks
+  double whole_;  ///< volume of the set, all ranks
 };
 
 }  // namespace perinox::solve

@@ -96,9 +96,9 @@ struct BreakingPass {
   double worst = 0;        ///< largest ratio of a bond's measure to its limit
 };
 
-/// One converged and committed step: one row of history.csv, one group of results.h5.
+/// One converged and committed step, or the state at the start: one row of history.csv, one group of results.h5.
 struct StepRecord {
-  int step = 0;  ///< 1, 2, ...
+  int step = 0;  ///< 1, 2, ...; 0: the start
   double t = 0;
   int newton_iterations = 0;
   int linear_iterations = 0;
@@ -127,6 +127,9 @@ class Observer {
   virtual void newton_iteration(const NewtonIteration&) {}
   /// A step from `t_from` to `t_to` did not converge and will be tried again, shorter; `reason` is a sentence.
   virtual void step_rejected(double /*t_from*/, double /*t_to*/, const std::string& /*reason*/) {}
+  /// Step 0, the state at t = 0: at rest without displacement, before any load, in a run in time with its velocities. A
+  /// run that goes on from a checkpoint has been there before.
+  virtual void run_begins(const StepRecord&) {}
   virtual void step_committed(const StepRecord&) {}
   virtual void bonds_broken(const BreakingPass&) {}
   /// The run goes on in time from here: only the fields up to reason are known.

@@ -25,6 +25,8 @@ class StepControl {
   virtual void jumped(double /*t*/) {}
   /// The attempt failed. False if the step may not be made shorter.
   virtual bool cut() = 0;
+  /// Undoes the cuts since the last accept(): whoever goes on from here has other settings and may pass in one step.
+  virtual void forget_cuts() {}
   /// Share of the run that is done, for an estimate of the time left: above 0, at most 1.
   virtual double share() const = 0;
   /// What the next attempt goes on from, and the way back, the committed state being that of then. Throws
@@ -47,6 +49,7 @@ class LoadSteps : public StepControl {
   void accept(const mechanics::Committed& committed, const mechanics::Trial& trial) override;
   void jumped(double t) override;
   bool cut() override;
+  void forget_cuts() override;
   double share() const override { return tried_ / steps_.end; }
   void save(StateWriter& writer) const override;
   void restore(const mechanics::Committed& committed, StateReader& reader) override;
@@ -63,6 +66,7 @@ class LoadSteps : public StepControl {
   double size_;
   int done_ = 0;
   int cuts_ = 0;
+  int accepted_cuts_ = 0;  ///< after the last accept()
   double tried_ = 0;
   // The committed step before, for extrapolation.
   double previous_t_ = 0;

@@ -64,6 +64,8 @@ class TimeStepper {
   void make_motion();
   double time_step();
   void begin_row(double t);
+  /// Step 0.
+  void tell_start(Observer& observer);
   bool advance_to(double t, Observer& observer);
   StepRecord record(bool written, bool last);
   [[noreturn]] void stop(Observer& observer);
@@ -80,7 +82,8 @@ class TimeStepper {
   double length_ = 0;        ///< of a time step in the last row
   long long estimated_ = 0;  ///< time steps done at the last estimate
   int row_ = 0;              ///< rows done of the deck's
-  int step_ = 0;             ///< rows written: others, where a restart has changed their number
+  bool restored_ = false;
+  int step_ = 0;  ///< rows written: others, where a restart has changed their number
   // Of the row at hand.
   long long row_done_ = 0, row_count_ = 0;  ///< time steps; done: 0 between rows
   double row_end_ = 0;                      ///< t

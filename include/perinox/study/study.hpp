@@ -32,6 +32,11 @@ struct Sweep {
   bool numeric() const;
 };
 
+/// Which row of history.csv a measure is of: the last one of a run that has come to its end, the first or last one
+/// there is, or that of the largest or smallest value, of which max and min take the value and argmax and argmin the
+/// argument.
+enum class Take { end, first, last, max, argmax, min, argmin };
+
 /// Either a formula of the columns of history.csv, with or without an exact value, or a field against a solution or
 /// another run.
 struct Measure {
@@ -39,12 +44,16 @@ struct Measure {
   std::string name;
   std::string history;       ///< formula of the columns of history.csv; empty for a field
   std::optional<double> at;  ///< load parameter; nothing: the end of the run
+  Take take = Take::end;     ///< of a history measure
+  std::string argument;      ///< formula that argmax and argmin take
   std::string exact;         ///< formula; empty where there is none
   std::string field;
   std::map<std::string, std::string> solution;  ///< formulas of some of components_of(field)
   std::string reference;                        ///< "finest", or a results.h5
-  std::string where;                            ///< condition on the particles; empty: all
+  std::string where;  ///< condition on the particles, or on the rows of history.csv; empty: all
 
+  /// False for what a run that stopped short has too.
+  bool needs_the_end() const { return !at && take == Take::end; }
   bool compares() const { return !field.empty() || !exact.empty(); }
   /// Column of the relative error.
   std::string error_column() const { return name + "_error"; }
@@ -83,6 +92,11 @@ Study read_text(const std::string& yaml, const std::string& file);
 
 /// Names of the components of a field with this many columns in results.h5: value; x y z; xx xy xz yy yz zz.
 const std::vector<std::string>& components_of(int columns);
+/// Their columns: of the nine of a symmetric tensor those of xx xy xz yy yz zz.
+const std::vector<std::size_t>& places_of(int columns);
+
+/// The words of `take`, in the order of the enumeration.
+const std::vector<std::string>& take_words();
 
 /// Columns of study.csv that every study has, after those of its sweeps and measures.
 const std::vector<std::string>& cost_columns();
