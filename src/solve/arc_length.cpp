@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "perinox/deck/location.hpp"
 
@@ -135,15 +136,16 @@ NewtonResult ArcLength::advance(const mechanics::Committed& committed, const Pat
                                 std::vector<double>& force) {
   turned_ = false;
   NewtonResult result;
-  std::optional<double> turn;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double turn = none;
   if (!starting_) {
     result = predict(committed, origin, point);
     tried_ = point.t;
     if (!result.converged) return result;
-    turn = boundary_.first_reversal(origin.t, point.t, true);
+    turn = boundary_.first_reversal(origin.t, point.t, true).value_or(none);
     // The last step has ended where a load turns back, as well as it can be told.
-    if (turn && std::abs(*turn - origin.t) <= 1e-5 * std::abs(point.t - origin.t)) {
-      turn.reset();
+    if (std::abs(turn - origin.t) <= 1e-5 * std::abs(point.t - origin.t)) {
+      turn = none;
       starting_ = true;
       point = origin;
     }
@@ -151,18 +153,18 @@ NewtonResult ArcLength::advance(const mechanics::Committed& committed, const Pat
   if (starting_)
     result =
         solve_at(origin.t + (forward_ ? start_load_ : -start_load_), committed, step, observer, point, trial, force);
-  else if (!turn)
+  else if (std::isnan(turn))
     result = solve_on_path(committed, FixedArc(norm_, origin, arc_), step, observer, point, trial, force);
   if (!result.converged) return result;
-  if (!turn) turn = boundary_.first_reversal(origin.t, point.t, false);
-  if (!turn || *turn == point.t) return result;
-  observer.note(fmt::format("step {}: a load turns back at t = {:.6g}, and the step ends there", step, *turn));
+  if (std::isnan(turn)) turn = boundary_.first_reversal(origin.t, point.t, false).value_or(none);
+  if (std::isnan(turn) || turn == point.t) return result;
+  observer.note(fmt::format("step {}: a load turns back at t = {:.6g}, and the step ends there", step, turn));
   turned_ = true;
-  const double share = (*turn - origin.t) / (point.t - origin.t);
+  const double share = (turn - origin.t) / (point.t - origin.t);
   point = along(origin, share, along(point, -1, origin));
-  point.t = *turn;
+  point.t = turn;
   const NewtonResult there =
-      solve_on_path(committed, FixedLoad(*turn, first_load_), step, observer, point, trial, force);
+      solve_on_path(committed, FixedLoad(turn, first_load_), step, observer, point, trial, force);
   result.converged = there.converged;
   result.reason = there.reason;
   result.newton_iterations += there.newton_iterations;
