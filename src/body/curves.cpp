@@ -61,7 +61,13 @@ Intervals below(const Wave& wave) {
   std::sort(ends.begin(), ends.end());
   Intervals found;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-    if (!(wave((ends[k] + ends[k + 1]) / 2) <= 0)) continue;
+    // A zero that is only touched may lie between: where the wave is largest tells its sign.
+    double value = 0;
+    for (const double share : {0.29, 0.5, 0.77}) {
+      const double one = wave(ends[k] + share * (ends[k + 1] - ends[k]));
+      if (std::abs(one) >= std::abs(value)) value = one;
+    }
+    if (!(value <= 0)) continue;
     if (!found.empty() && found.back().second == ends[k])
       found.back().second = ends[k + 1];
     else

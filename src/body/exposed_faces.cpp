@@ -109,8 +109,9 @@ void Exposed::add_row(LocalIndex i, std::size_t face, const Point& normal) {
 void Exposed::spread(const Facet& facet, const CutCells::Cell& cell, double weight, LocalIndex i) {
   touched_ = touched_ || facet.untouched < facet.whole.area;
   turned_ = turned_ || facet.open.area < facet.untouched;
-  const CellBox box = surfaces_.cells(part(i)).box(cell);
-  spread_load(facet, times(0.5, plus(box.lo, box.hi)), weight, body_, i, spacing(i), facing_, search_, shares_);
+  const CutCells& cells = surfaces_.cells(part(i));
+  const CellBox box = cells.box(cell);
+  spread_load(facet, times(0.5, plus(box.lo, box.hi)), weight, body_, i, cells, facing_, search_, shares_);
 }
 
 /// The facets that lie in one face of the particle's cell.

@@ -37,27 +37,28 @@ class FacetIntegrals {
       : pieces_(pieces), arrangement_(arrangement), on_(on), query_(query) {
     middle_ = times(0.5, plus(query.box.lo, query.box.hi));
     reach_ = norm(minus(query.box.hi, query.box.lo));
-    facet_[0].surface = facet_[1].surface = on;
-    facet_[1].side = -1;
-    form_ = arrangement.rough() ? Form::rough : Form::root;
     const bool flat = !(query.box.hi[2] > query.box.lo[2]);
     if (on.kind == Surface::Kind::plane)
-      flat ? add_straight({-on.direction[1], on.direction[0], 0}, foot(), 1, on.direction) : plane();
+      flat ? add_straight({-on.direction[1], on.direction[0], 0}, foot(), 1, on.direction, sum_) : plane();
     else if (on.kind == Surface::Kind::ball)
-      flat ? add_circle(0, on.radius) : ball();
+      flat ? add_circle(0, on.radius, sum_) : ball();
     else
       tube();
   }
   void append(std::vector<Facet>& facets) const {
-    for (const Facet& facet : facet_)
-      if (facet.whole.area > 0) facets.push_back(facet);
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (!(sum_.facet[k].whole.area > 0)) continue;
+      facets.push_back(sum_.facet[k]);
+      facets.back().surface = on_;
+      facets.back().side = k == 0 ? 1 : -1;
+    }
   }
 
  private:
-  Facet& facet(int side) { return facet_[side > 0 ? 0 : 1]; }
   Point foot() const { return along(middle_, -distance(on_, middle_), on_.direction); }
-  void add_straight(const Point& direction, const Point& at, double width, const Point& n);
-  void add_circle(double height, double width);
+  void add_straight(const Point& direction, const Point& at, double width, const Point& n, BothSides& sum) const;
+  void add_circle(double height, double width, BothSides& sum) const;
+  double tolerance() const { return 1e-12 * reach_ * reach_; }
   void plane();
   void tube();
   void ball();
@@ -68,30 +69,30 @@ class FacetIntegrals {
   const FacetQuery& query_;
   Point middle_{};
   double reach_ = 0;
-  Form form_ = Form::root;
-  Facet facet_[2];
+  BothSides sum_;
 };
 
 /// The piece of a straight line near the cell; n: the surface's normal there.
-void FacetIntegrals::add_straight(const Point& direction, const Point& at, double width, const Point& n) {
+void FacetIntegrals::add_straight(const Point& direction, const Point& at, double width, const Point& n,
+                                  BothSides& sum) const {
   const Line line{at, direction, -reach_, reach_};
   pieces_.pieces(line, [&](int side, const Intervals& pieces, bool open) {
     const Point out = times(side, n);
-    if (open) facet(side).untouched += width * length(pieces);
+    if (open) sum.of(side).untouched += width * length(pieces);
     if (open && query_.facing && !(dot(out, *query_.facing) > along_facing)) return;
-    add_line(open ? facet(side).open : facet(side).whole, pieces, line, width, out, middle_);
+    add_line(open ? sum.of(side).open : sum.of(side).whole, pieces, line, width, out, middle_);
   });
 }
 
 /// The circle of a ball at a height over its centre along z.
-void FacetIntegrals::add_circle(double height, double width) {
+void FacetIntegrals::add_circle(double height, double width, BothSides& sum) const {
   const double radius = std::sqrt((on_.radius - height) * (on_.radius + height));
   const Circle circle{along(on_.at, height, {0, 0, 1}), {1, 0, 0}, {0, 1, 0}, radius};
   pieces_.pieces(circle, [&](int side, Intervals pieces, bool open) {
-    if (open) facet(side).untouched += width * length(pieces);
+    if (open) sum.of(side).untouched += width * length(pieces);
     if (open && query_.facing)
       pieces = intersect(pieces, circle.within({Surface::Kind::plane, on_.at, times(-side, *query_.facing), 0, 0}));
-    add_arc(open ? facet(side).open : facet(side).whole, pieces, circle, height / on_.radius, {0, 0, 1}, on_, side,
+    add_arc(open ? sum.of(side).open : sum.of(side).whole, pieces, circle, height / on_.radius, {0, 0, 1}, on_, side,
             width, middle_);
   });
 }
@@ -100,8 +101,10 @@ void FacetIntegrals::plane() {
   const Point v = beside(on_.direction), u = cross(v, on_.direction), at = foot();
   std::vector<double> breaks = arrangement_.breaks_of_plane(on_, u);
   const double here = dot(at, u);
-  over_panels<points>(breaks, here - reach_, here + reach_, arrangement_.straight() ? Form::polynomial : form_,
-                      [&](double x, double weight) { add_straight(v, along(at, x - here, u), weight, on_.direction); });
+  add_panels<points>(breaks, here - reach_, here + reach_, arrangement_.straight() ? Form::polynomial : Form::root,
+                     tolerance(), sum_, [&](double x, double weight, BothSides& sum) {
+                       add_straight(v, along(at, x - here, u), weight, on_.direction, sum);
+                     });
 }
 
 void FacetIntegrals::tube() {
@@ -116,11 +119,12 @@ void FacetIntegrals::tube() {
   for (const double turn : {0.0, pi / 2, pi, -pi / 2}) breaks.push_back(toward + turn);
   for (double& one : breaks) one = toward + std::remainder(one - toward, 2 * pi);
   const double height = dot(minus(middle_, on_.at), on_.direction);
-  over_panels<points>(breaks, toward - seen, toward + seen, form_, [&](double angle, double weight) {
+  const auto ruling = [&](double angle, double weight, BothSides& sum) {
     const Point n = plus(times(std::cos(angle), u), times(std::sin(angle), v));
     const Point at = along(along(on_.at, height, on_.direction), on_.radius, n);
-    add_straight(on_.direction, at, on_.radius * weight, n);
-  });
+    add_straight(on_.direction, at, on_.radius * weight, n, sum);
+  };
+  add_panels<points>(breaks, toward - seen, toward + seen, Form::root, tolerance(), sum_, ruling);
 }
 
 void FacetIntegrals::ball() {
@@ -129,8 +133,9 @@ void FacetIntegrals::ball() {
   if (!(lo < hi)) return;
   std::vector<double> breaks = arrangement_.breaks_of_space({0, 0, 1});
   for (double& one : breaks) one -= on_.at[2];
-  over_panels<points>(breaks, lo, hi, form_,
-                      [&](double height, double weight) { add_circle(height, on_.radius * weight); });
+  add_panels<points>(breaks, lo, hi, Form::root, tolerance(), sum_, [&](double height, double weight, BothSides& sum) {
+    add_circle(height, on_.radius * weight, sum);
+  });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "perinox/body/shape_intervals.hpp"
 #include "vectors.hpp"
 
 namespace perinox::body {
@@ -12,6 +13,7 @@ namespace {
 
 // Of the spacing: how far around a particle its surface's load is spread, how deep, and how wide.
 constexpr double farthest = 3.1, deepest = 3, highest = 1, width = 0.6;
+constexpr double widest_gap = 0.3;  // of the spacing: what lies beyond more of a gap than this carries none of the load
 
 /// A share that another rank's particle carries.
 struct Sent {
@@ -19,14 +21,20 @@ struct Sent {
   FaceShare share;
 };
 
+/// Length of the straight line between two particles that lies outside of their body.
+double outside(const Solid& solid, const Point& a, const Point& b) {
+  return norm(minus(b, a)) * (1 - length(intervals_inside(solid, a, b)));
+}
+
 /// The particles that carry a facet's load, and how much of it each would rather have.
 struct Carriers {
   std::vector<LocalIndex> particle;
   std::vector<double> preference;
 };
 
-Carriers carriers_of(const Facet& facet, const Point& center, const Body& body, LocalIndex i, double h,
+Carriers carriers_of(const Facet& facet, const Point& center, const Body& body, LocalIndex i, const CutCells& cells,
                      const NeighborSearch& search) {
+  const double h = cells.spacing();
   const double straight = norm(facet.whole.normal);
   // A piece that is bent round onto itself has no direction.
   const Point n = straight > 0.1 * facet.whole.area ? times(1 / straight, facet.whole.normal) : Point{};
@@ -40,9 +48,13 @@ Carriers carriers_of(const Facet& facet, const Point& center, const Body& body, 
     const Point away = minus(body.position3(j), center);
     const double depth = -dot(away, n);
     if (j != i && (depth > deepest * h || depth < -highest * h)) continue;
+    if (j != i && depth < 0 && outside(cells.solid(), body.position3(i), body.position3(j)) > widest_gap * h) continue;
     carriers.particle.push_back(j);
-    carriers.preference.push_back(std::exp(-std::max(0.0, dot(away, away) - depth * depth) / (width * width * h * h)));
+    carriers.preference.push_back(std::max(0.0, dot(away, away) - depth * depth) / (width * width * h * h));
   }
+  // A facet may lie far from all of them: what counts is how much nearer one is than another.
+  const double least = *std::min_element(carriers.preference.begin(), carriers.preference.end());
+  for (double& one : carriers.preference) one = std::exp(least - one);
   return carriers;
 }
 
@@ -99,7 +111,7 @@ void spread_load(const Facet& facet, const Point& middle, double weight, const B
                  const std::optional<Point>& facing, const NeighborSearch& search, std::vector<FaceShare>& shares) {
   if (!(facet.open.area > 0)) return;
   const Point center = along(middle, 1 / facet.whole.area, facet.whole.first);
-  const Carriers carriers = carriers_of(facet, center, body, i, spacing, search);
+  const Carriers carriers = carriers_of(facet, center, body, i, cells, search);
   const auto d = static_cast<std::size_t>(body.dimension);
   // Columns: the normal's components, and the area; rows: their integrals and first moments about the facet's centre.
   Eigen::MatrixXd integrals(static_cast<Eigen::Index>(d) + 1, static_cast<Eigen::Index>(d) + 1);
@@ -112,7 +124,7 @@ void spread_load(const Facet& facet, const Point& middle, double weight, const B
       integrals(static_cast<Eigen::Index>(c) + 1, column) =
           weight * about(k < d ? facet.open.moment[c][k] : facet.open.first[c], sum, c);
   }
-  const Eigen::MatrixXd parts = distribute(carriers, center, body, spacing, integrals);
+  const Eigen::MatrixXd parts = distribute(carriers, center, body, cells.spacing(), integrals);
   const Point loaded = along(middle, 1 / facet.open.area, facet.open.first);
   for (std::size_t k = 0; k < carriers.particle.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(k);

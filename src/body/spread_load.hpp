@@ -7,10 +7,10 @@ namespace perinox::body {
 
 /// Gives the load on a facet of a body's surface to particles of that body around particle i, so that the virtual work
 /// of pressures and tractions is exact for linear displacements where there are enough particles. middle: of the
-/// facet's cell; weight: of the facet; spacing: of the body; facing: what tractions act on is seen from there. Shares
+/// facet's cell; weight: of the facet; cells: of the body; facing: what tractions act on is seen from there. Shares
 /// of particles of other ranks are among them.
 void spread_load(const Facet& facet, const deck::Point& middle, double weight, const Body& body, LocalIndex i,
-                 double spacing, const std::optional<deck::Point>& facing, const NeighborSearch& search,
+                 const CutCells& cells, const std::optional<deck::Point>& facing, const NeighborSearch& search,
                  std::vector<FaceShare>& shares);
 
 /// Hands shares of ghosts to whoever owns them. Few: only those of surfaces that pass from rank to rank. Collective.

@@ -1,5 +1,6 @@
 #include "surface_integrals.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "vectors.hpp"
@@ -19,6 +20,21 @@ void add(SurfaceIntegrals& sum, double area, const Point& x, const Point& n) {
 }
 
 }  // namespace
+
+void SurfaceIntegrals::operator+=(const SurfaceIntegrals& other) {
+  area += other.area;
+  for (std::size_t c = 0; c < 3; ++c) {
+    first[c] += other.first[c];
+    normal[c] += other.normal[c];
+    for (std::size_t k = 0; k < 3; ++k) moment[c][k] += other.moment[c][k];
+  }
+}
+
+double SurfaceIntegrals::difference(const SurfaceIntegrals& other) const {
+  double largest = std::abs(area - other.area);
+  for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(normal[c] - other.normal[c]));
+  return largest;
+}
 
 void add_line(SurfaceIntegrals& sum, const Intervals& pieces, const Line& line, double width, const Point& n,
               const Point& middle) {

@@ -9,6 +9,10 @@ struct SurfaceIntegrals {
   deck::Point first{};       ///< of x
   deck::Point normal{};      ///< of the unit normal out of the body
   double moment[3][3] = {};  ///< [c][k] of x_c n_k
+
+  void operator+=(const SurfaceIntegrals& other);
+  /// Largest difference of areas and vectors of area.
+  double difference(const SurfaceIntegrals& other) const;
 };
 
 /// Adds pieces of a straight line in a plane or along a tube, that stand for a strip of this width; n: its normal.

@@ -128,6 +128,16 @@ TEST(SurfaceLoads, IntoNarrowGaps) {
     }
 }
 
+/// One lip of a slit half a cell wide: the other lip carries nothing of it.
+TEST(SurfaceLoads, IntoASlit) {
+  deck::Deck deck = cut(difference({box({0, 0, 0}, {12, 12, 0}), box({-1, 5.75, 0}, {6, 6.25, 0})}), 1, plane);
+  add_set(deck, "lip", deck::SetWhere{deck::Expression("y > 5 && y < 6 && x < 6", {"deck.yaml", 20, 3})});
+  const Body body = build_body(deck);
+  EXPECT_NEAR(sums_of(deck, body, "lip", Point{0, 1, 0}).size, 6, 1e-12);
+  for (const FaceShare& face : exposed_faces(deck, body, body.sets.at("lip"), {}, Point{0, 1, 0}))
+    EXPECT_LT(body.position3(face.particle)[1], 6);
+}
+
 TEST(SurfaceLoads, SayWhyThereAreNone) {
   deck::Deck deck = cut(deck::Box{{0, 0, 0}, {6, 4, 0}}, 1, plane);
   add_cut_body(deck, "right", deck::Box{{6, -2, 0}, {12, 6, 0}}, 0.5);

@@ -4,8 +4,10 @@
 #include <set>
 #include <tuple>
 
+#include "perinox/body/exposed_faces.hpp"
 #include "perinox/body/field_table.hpp"
 #include "support/bodies.hpp"
+#include "support/measured.hpp"
 
 namespace perinox::body {
 namespace {
@@ -236,6 +238,34 @@ TEST(FieldTableOnRanks, EveryRankReadsItsOwnRows) {
     EXPECT_NE(here, "nothing was refused");
     EXPECT_EQ(read(body), here);
   }
+}
+
+/// What every particle carries of pressures and tractions, by rows behind faces, by particles around, over bodies.
+TEST(BodyOnRanks, SurfaceLoadsAreTheSame) {
+  std::map<std::string, deck::Deck> all = scenes();
+  all["bonded"] = deck_of(deck::Box{{0, 0, 0}, {10, 4.3, 4}});
+  add_body(all["bonded"], "lid", deck::Sphere{{4, 2, 6}, 2.6}, 0.5);
+  for (deck::BodyPart& part : all["bonded"].body) part.cut_cells = true;
+  for (const auto& [name, deck] : all)
+    for (const bool facing : {false, true}) {
+      std::optional<deck::Point> direction;
+      if (facing) direction = deck::Point{0.6, 0.8, 0};
+      const auto loads = [&](const Body& body) {
+        std::vector<double> sums(4 * static_cast<std::size_t>(body.total));
+        for (const FaceShare& face : exposed_faces(deck, body, body.sets.at("all"), {"deck.yaml", 3, 5}, direction)) {
+          const auto id = static_cast<std::size_t>(body.id[static_cast<std::size_t>(face.particle)]);
+          for (std::size_t c = 0; c < 3; ++c) sums[4 * id + c] += face.area[c];
+          sums[4 * id + 3] += face.size;
+        }
+        return sums;
+      };
+      const std::vector<double> whole = loads(build_body(deck, alone()));
+      std::vector<double> part = loads(build_body(deck, world()));
+      MPI_Allreduce(MPI_IN_PLACE, part.data(), static_cast<int>(part.size()), MPI_DOUBLE, MPI_SUM, world().mpi());
+      double largest = 0;
+      for (std::size_t k = 0; k < whole.size(); ++k) largest = std::max(largest, std::abs(part[k] - whole[k]));
+      EXPECT_LE(test::measured("surface loads on ranks", largest), 1e-13) << name;
+    }
 }
 
 }  // namespace

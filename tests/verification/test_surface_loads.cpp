@@ -103,5 +103,45 @@ TEST(SurfaceLoads, PressureAllRound) {
   EXPECT_LE(error("disc", "{sphere: {center: [0, 0, 0], radius: 15.5}}", "plane-strain", plane_bulk), 0.02);  // 0.0113
 }
 
+/// Two bonded plates of different spacing, and a disc loaded on its right and its left: -1 in every direction.
+TEST(SurfaceLoads, PressureOnPiecesOfTheSurface) {
+  const auto stress = [](const std::string& body, const std::string& loads, auto&& inside) {
+    const Strain found = mean_strain(deck_of(fmt::format(R"(
+dimension: plane-stress
+body: {}
+horizon: {{length: 3.015}}
+deformation: small
+materials: {{m: {{model: elastic, young_modulus: 1, poisson_ratio: 0.3}}}}
+sets:
+  low: {{where: "abs(y) < 1 && x < 1"}}
+  right: {{where: "abs(y) < 1 && x > 10"}}
+boundary:
+  - {{set: low, displacement: {{y: 0}}}}
+  - {{set: low, displacement: {{x: 0}}}}
+  - {{set: right, displacement: {{y: 0}}}}
+{}
+steps: {{end: 1, count: 1}}
+)",
+                                                         body, loads)),
+                                     inside);
+    return std::pair{(found.xx + 0.3 * found.yy) / 0.91, (found.yy + 0.3 * found.xx) / 0.91};
+  };
+  const std::string plates =
+      "[{name: a, shape: {box: {min: [0, 0], max: [6, 6]}}, spacing: 1, material: m}, "
+      "{name: b, shape: {box: {min: [6, 0], max: [12, 6]}}, spacing: 0.5, material: m}]";
+  for (const bool coarse : {true, false}) {
+    const auto [xx, yy] =
+        stress(plates, "  - {set: all, pressure: 1}", [&](const double* x) { return (x[0] < 6) == coarse; });
+    EXPECT_LE(error_of("pressure: two plates, along", -xx), 0.1);
+    EXPECT_LE(error_of("pressure: two plates, across", -yy), 0.1);
+  }
+  const std::string disc = "[{name: a, shape: {sphere: {center: [11, 0], radius: 10.7}}, spacing: 1, material: m}]";
+  const auto [xx, yy] =
+      stress(disc, "  - {set: all, pressure: 1, facing: [1, 0]}\n  - {set: all, pressure: 1, facing: [-1, 0]}",
+             [](const double* x) { return std::hypot(x[0] - 11, x[1]) < 5; });
+  EXPECT_LE(error_of("pressure: disc from right and left, along", -xx), 0.03);
+  EXPECT_LE(error_of("pressure: disc from right and left, across", -yy), 0.03);
+}
+
 }  // namespace
 }  // namespace perinox::testing

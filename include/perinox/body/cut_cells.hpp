@@ -14,9 +14,9 @@ struct CellBox {
 };
 
 /// What a shape's surface leaves of the cells of its lattice. A particle stands for the part of its own cell that is
-/// inside and, in equal shares, for that of the cells around whose centres are outside and that have no particle
-/// nearer; it stays at its cell's centre. Volumes of shapes with plane faces are exact, of curved ones to about 1e-8.
-/// Every rank can ask for any cell: nothing depends on where the particles are.
+/// inside and, in equal shares, for that of the cells without a particle that have none nearer, mostly cells around its
+/// own, in thin fins also cells farther away; it stays at its cell's centre. Volumes of shapes with plane faces are
+/// exact, of curved ones to about 1e-8. Every rank can ask for any cell: nothing depends on where the particles are.
 class CutCells {
  public:
   using Cell = std::array<long long, 3>;  ///< number of spacings from Lattice::first
@@ -42,24 +42,36 @@ class CutCells {
   double inside(const Cell& cell);
   /// Of the cell's particle, over a whole cell's volume: 1 inside.
   double volume(const Cell& cell);
-  /// Cells with particles that stand for what is inside of a cell without one: the nearest of those around it.
-  std::vector<Cell> owners(const Cell& cell) const;
-  /// Shares of a particle in the cells around its own that have none: visit(cell, share).
+  /// Shares of a particle in cells that have none: visit(cell, share).
   template <class Visit>
-  void owned_around(const Cell& own, const Visit& visit) const;
+  void owned_around(const Cell& own, const Visit& visit);
 
  private:
+  /// Different for cells less than 2^20 apart.
+  static std::uint64_t key(const Cell& cell);
   /// visit(cell, square of the distance in spacings) for the 26 cells (2-D: 8) around one.
   template <class Visit>
   void around(const Cell& cell, const Visit& visit) const;
   deck::Point center(const Cell& cell) const;
+  /// Cells with particles that stand for what is inside of a cell without one: the nearest of those around it.
+  std::vector<Cell> owners(const Cell& cell) const;
   double share_of(const Cell& own, const Cell& other) const;
+  /// A part of a cell with no particle around that another particle stands for.
+  struct Far {
+    Cell cell;
+    double share;
+  };
+  void find_far();
+  void find_far(const Cell& lo, const Cell& hi);
+  std::vector<Cell> nearest_kept(const Cell& cell) const;
 
   Lattice lattice_;
   Solid solid_;
   double tolerance_ = 0;
   bool cut_ = false, filled_ = false;
   std::unordered_map<std::uint64_t, double> inside_;
+  bool searched_ = false;
+  std::unordered_map<std::uint64_t, std::vector<Far>> far_;  ///< by the owner's cell
 };
 
 template <class Visit>
@@ -72,10 +84,14 @@ void CutCells::around(const Cell& cell, const Visit& visit) const {
 }
 
 template <class Visit>
-void CutCells::owned_around(const Cell& own, const Visit& visit) const {
+void CutCells::owned_around(const Cell& own, const Visit& visit) {
   around(own, [&](const Cell& cell, long long) {
     if (const double share = kept(cell) ? 0 : share_of(own, cell); share > 0) visit(cell, share);
   });
+  find_far();
+  const auto found = far_.find(key(own));
+  if (found == far_.end()) return;
+  for (const Far& far : found->second) visit(far.cell, far.share);
 }
 
 }  // namespace perinox::body
