@@ -21,10 +21,10 @@ struct Answer {
   std::string refused;  ///< the sentence of an InputError; then there is nothing else
   std::string stopped;  ///< the reason, if the run stopped short; fields are those of the last step
   int dimension = 3;
-  double spacing = 0;             ///< cube or square root of the mean volume
-  std::vector<double> place;      ///< [particles * 3] reference position
-  std::vector<double> volume;     ///< [particles]
-  std::vector<long long> family;  ///< [particles] number of bonds at the start
+  double spacing = 0;                         ///< cube or square root of the mean volume
+  std::vector<double> place;                  ///< [particles * 3] reference position
+  std::vector<double> volume;                 ///< [particles]
+  std::vector<long long> family;              ///< [particles] number of bonds at the start
   std::map<std::string, FieldValues> fields;  ///< of the last step
   struct Row {
     double t = 0;

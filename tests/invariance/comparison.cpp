@@ -60,13 +60,18 @@ struct Worst {
 };
 
 enum class Kind { length, force, stress, energy_density, scalar };
-const std::map<std::string, Kind> kinds{
-    {"displacement", Kind::length},     {"force", Kind::force},
-    {"stress", Kind::stress},           {"von_mises_stress", Kind::stress},
-    {"strain", Kind::scalar},           {"dilatation", Kind::scalar},
-    {"damage", Kind::scalar},           {"stored_energy", Kind::energy_density},
-    {"plastic_work", Kind::energy_density}, {"velocity", Kind::length},
-    {"equivalent_plastic_strain", Kind::scalar}, {"plastic_strain_zz", Kind::scalar}};
+const std::map<std::string, Kind> kinds{{"displacement", Kind::length},
+                                        {"force", Kind::force},
+                                        {"stress", Kind::stress},
+                                        {"von_mises_stress", Kind::stress},
+                                        {"strain", Kind::scalar},
+                                        {"dilatation", Kind::scalar},
+                                        {"damage", Kind::scalar},
+                                        {"stored_energy", Kind::energy_density},
+                                        {"plastic_work", Kind::energy_density},
+                                        {"velocity", Kind::length},
+                                        {"equivalent_plastic_strain", Kind::scalar},
+                                        {"plastic_strain_zz", Kind::scalar}};
 
 class Comparison {
  public:
@@ -78,7 +83,8 @@ class Comparison {
     if (changed_.volume.size() < count || (!more && changed_.volume.size() != count)) worst_.take(1, 1, "particles");
     const Places places(changed_.place, changed_.spacing);
     for (std::size_t i = 0; i < count; ++i) {
-      partner_.push_back(places.find(change_.place({base_.place[3 * i], base_.place[3 * i + 1], base_.place[3 * i + 2]})));
+      partner_.push_back(
+          places.find(change_.place({base_.place[3 * i], base_.place[3 * i + 1], base_.place[3 * i + 2]})));
       if (partner_.back() < 0) {
         worst_.take(1, 1, "place of a particle");
         continue;
@@ -130,11 +136,15 @@ class Comparison {
       worst_.take(difference, size, name);
     };
     using Row = Answer::Row;
-    column([](const Row& r) -> auto& { return r.energies; }, change_.stress * std::pow(change_.length, d_), "energies");
-    column([](const Row& r) -> auto& { return r.reactions; }, change_.stress * std::pow(change_.length, d_ - 1),
-           "reactions");
-    column([](const Row& r) -> auto& { return r.movements; }, change_.length, "movements");
-    column([](const Row& r) -> auto& { return r.shares; }, 1, "yielded");
+    column(
+        [](const Row& r) -> auto& { return r.energies; }, change_.stress* std::pow(change_.length, d_), "energies");
+    column(
+        [](const Row& r) -> auto& { return r.reactions; }, change_.stress* std::pow(change_.length, d_ - 1),
+        "reactions");
+    column(
+        [](const Row& r) -> auto& { return r.movements; }, change_.length, "movements");
+    column(
+        [](const Row& r) -> auto& { return r.shares; }, 1, "yielded");
   }
 
   const Worst& worst() const { return worst_; }

@@ -7,8 +7,12 @@ namespace perinox::invariance {
 namespace {
 
 /// Between two planes of particles of a lattice that begins at the origin.
-std::string below_x(const SceneText& text, double cells) { return fmt::format("{{where: \"x < {}\"}}", digits(text.x(cells))); }
-std::string above_x(const SceneText& text, double cells) { return fmt::format("{{where: \"x > {}\"}}", digits(text.x(cells))); }
+std::string below_x(const SceneText& text, double cells) {
+  return fmt::format("{{where: \"x < {}\"}}", digits(text.x(cells)));
+}
+std::string above_x(const SceneText& text, double cells) {
+  return fmt::format("{{where: \"x > {}\"}}", digits(text.x(cells)));
+}
 
 Vector3 size_of(Lot& lot, bool solid) {
   if (solid) return {double(lot.whole(7, 9)), double(lot.whole(4, 5)), double(lot.whole(4, 5))};
@@ -100,8 +104,8 @@ RandomScene box_that_cuts_cells(Lot& lot) {
   text.weigh("a");
   RandomScene scene = named("box that cuts cells", text);
   const double cut = size[1] * lot.between(0.3, 0.7);
-  const std::string halves = fmt::format("{{union: [{}, {}]}}", text.box({}, {size[0], cut, size[2]}),
-                                         text.box({0, cut, 0}, size));
+  const std::string halves =
+      fmt::format("{{union: [{}, {}]}}", text.box({}, {size[0], cut, size[2]}), text.box({0, cut, 0}, size));
   SceneText other = text;
   other.bodies.clear();
   other.body("a", halves, text.h);

@@ -42,6 +42,9 @@ const std::map<std::string, double> bounds{
     {"pressure split by direction", 1e-9},
     {"a crack within a slit", 1e-9},
     {"one body as two", 1e-9},
+    {"bonded across a gap or not", 1e-9},
+    {"ends of a crack exchanged", 1e-9},
+    {"a crack in two parts", 1e-9},
 };
 
 std::string line_of(const Entry& entry) {

@@ -14,7 +14,9 @@ class Lot {
     return low + (high - low) * (static_cast<double>(engine_()) + 0.5) / 4294967296.0;
   }
   /// A whole number from low to high, both included.
-  int whole(int low, int high) { return low + static_cast<int>(engine_() % static_cast<std::uint32_t>(high - low + 1)); }
+  int whole(int low, int high) {
+    return low + static_cast<int>(engine_() % static_cast<std::uint32_t>(high - low + 1));
+  }
   bool chance(double share) { return between(0, 1) < share; }
   template <class T>
   T one_of(const std::vector<T>& choices) {

@@ -62,8 +62,8 @@ RandomScene slit_body(Lot& lot) {
   const std::string slit = text.box({begin, low, -1}, {size[0] + 1, low + width, size[2] + 1});
   text.body("a", without(text.box({}, size), slit), text.h);
   text.sets.push_back("foot: " + beyond_x(text, "<", 2));
-  text.sets.push_back(fmt::format("lip: {{where: \"x > {} && y > {}\"}}", digits(text.x(size[0] - 3)),
-                                  digits(text.y(middle))));
+  text.sets.push_back(
+      fmt::format("lip: {{where: \"x > {} && y > {}\"}}", digits(text.x(size[0] - 3)), digits(text.y(middle))));
   text.hold("foot");
   text.move("lip", 0.03);
   text.record("foot");
@@ -80,7 +80,8 @@ RandomScene slit_body(Lot& lot) {
 
 RandomScene split_body(Lot& lot) {
   SceneText text(lot, lot.chance(0.4));
-  const Vector3 size = text.solid() ? Vector3{8, 4, 4} : Vector3{double(lot.whole(10, 14)), double(lot.whole(6, 10)), 0};
+  const Vector3 size =
+      text.solid() ? Vector3{8, 4, 4} : Vector3{double(lot.whole(10, 14)), double(lot.whole(6, 10)), 0};
   const double cut = lot.whole(3, 6);
   text.sets.push_back("foot: " + beyond_x(text, "<", 2));
   text.sets.push_back("head: " + beyond_x(text, ">", size[0] - 2));
@@ -108,8 +109,8 @@ struct CloudPoint {
 };
 
 /// As a body of the text. The points are in spacings from the origin.
-void add_cloud(SceneText& text, const std::string& name, const std::string& folder, const std::vector<CloudPoint>& points,
-               const std::string& material = "one") {
+void add_cloud(SceneText& text, const std::string& name, const std::string& folder,
+               const std::vector<CloudPoint>& points, const std::string& material = "one") {
   const std::string file = folder + "/" + name + ".csv";
   std::ofstream out(file);
   out << "x,y,z,volume\n";

@@ -75,6 +75,7 @@ class Rewriting {
 
   YAML::Node map(const YAML::Node& node, const Key& key, const std::string& name) {
     if (is_vector(node, key)) return vector(node, key);
+    if (node["plate_with_hole"] && dimension_ == 3 && change_.axis(2) != 2) return map(drilled(node), key, name);
     YAML::Node out(YAML::NodeType::Map);
     for (const auto& entry : node) {
       const auto word = entry.first.as<std::string>();
@@ -82,8 +83,23 @@ class Rewriting {
     }
     if (node["component"]) component(out);
     if (name == "box" || name == "plate_with_hole") sort_corners(out);
-    if (name == "plate_with_hole" && dimension_ == 3 && change_.axis(2) != 2)
-      throw std::logic_error("the hole of plate_with_hole runs along z in any frame");
+    return out;
+  }
+
+  /// The hole of plate_with_hole runs along z in any frame; a cylinder that is taken out runs along any axis.
+  static YAML::Node drilled(const YAML::Node& shape) {
+    const YAML::Node& plate = shape["plate_with_hole"];
+    YAML::Node out, box, hole;
+    box["box"]["min"] = plate["min"];
+    box["box"]["max"] = plate["max"];
+    const double low = plate["min"][2].as<double>(), high = plate["max"][2].as<double>();
+    for (const auto& [end, z] : {std::pair("start", 2 * low - high), std::pair("end", 2 * high - low)})
+      for (const std::string& part :
+           {plate["center"][0].as<std::string>(), plate["center"][1].as<std::string>(), digits(z)})
+        hole["cylinder"][end].push_back(part);
+    hole["cylinder"]["radius"] = plate["radius"];
+    out["difference"].push_back(box);
+    out["difference"].push_back(hole);
     return out;
   }
 

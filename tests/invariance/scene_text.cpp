@@ -25,8 +25,8 @@ SceneText::SceneText(Lot& lot, bool solid) : lot_(lot), solid_(solid), modulus_(
   h = lot.between(0.3, 3);
   for (int c = 0; c < d(); ++c) origin[static_cast<std::size_t>(c)] = lot.between(-20, 20);
   dimension_ = solid ? "3" : lot.one_of<std::string>({"plane-stress", "plane-strain"});
-  quadrature_ = lot.one_of<std::string>(
-      {"position-aware", "position-aware", "position-aware", "whole", "partial-volume", "taper-inside", "surface-energy"});
+  quadrature_ = lot.one_of<std::string>({"position-aware", "position-aware", "position-aware", "whole",
+                                         "partial-volume", "taper-inside", "surface-energy"});
   influence_ = lot.one_of<std::string>({"constant", "inverse", "polynomial"});
   // None is within 0.005 of the distance of two particles of a lattice, in quarters of a spacing either.
   ratio_ = solid ? lot.one_of<double>({2.515, 3.015}) : lot.one_of<double>({2.515, 3.015, 3.3});
@@ -39,12 +39,13 @@ SceneText::SceneText(Lot& lot, bool solid) : lot_(lot), solid_(solid), modulus_(
 
 std::string SceneText::material(Lot& lot, bool flows) const {
   const double modulus = modulus_ * lot.between(0.4, 1);
-  std::string text = fmt::format("model: {}, young_modulus: {}, poisson_ratio: {}", flows ? "elastic-plastic" : "elastic",
-                                 digits(modulus), digits(lot.between(0.1, 0.4)));
+  std::string text = fmt::format("model: {}, young_modulus: {}, poisson_ratio: {}",
+                                 flows ? "elastic-plastic" : "elastic", digits(modulus), digits(lot.between(0.1, 0.4)));
   if (!flows) return text;
   text += fmt::format(", yield_stress: {{{}: {}}}", lot.chance(0.5) ? "tension" : "shear",
                       digits(modulus * lot.between(0.001, 0.003)));
-  if (lot.chance(0.7)) text += fmt::format(", hardening_modulus: {{tension: {}}}", digits(modulus * lot.between(0.05, 0.2)));
+  if (lot.chance(0.7))
+    text += fmt::format(", hardening_modulus: {{tension: {}}}", digits(modulus * lot.between(0.05, 0.2)));
   if (lot.chance(0.3))
     text += fmt::format(", kinematic_hardening_modulus: {{shear: {}}}", digits(modulus * lot.between(0.01, 0.05)));
   return text;
@@ -71,7 +72,8 @@ void SceneText::body(const std::string& name, const std::string& shape, double s
 std::string SceneText::components(const Vector3& values, const std::string& formula) const {
   std::string text;
   for (int c = 0; c < d(); ++c)
-    text += fmt::format("{}{}: \"{}*{}\"", c ? ", " : "", "xyz"[c], digits(values[static_cast<std::size_t>(c)]), formula);
+    text +=
+        fmt::format("{}{}: \"{}*{}\"", c ? ", " : "", "xyz"[c], digits(values[static_cast<std::size_t>(c)]), formula);
   return "{" + text + "}";
 }
 
@@ -121,7 +123,8 @@ void SceneText::record(const std::string& set) {
 
 std::string SceneText::text() const {
   std::vector<std::string> history = history_;
-  if (plastic) history.push_back("{name: flowing, yielded: " + bodies.front().substr(7, bodies.front().find(',') - 7) + "}");
+  if (plastic)
+    history.push_back("{name: flowing, yielded: " + bodies.front().substr(7, bodies.front().find(',') - 7) + "}");
   // Newton goes on until nothing but rounding is left.
   return fmt::format("dimension: {}\n", dimension_) + listed("body", bodies) +
          fmt::format("horizon: {{length: {}}}\nquadrature: {}\ninfluence: {}\ndeformation: {}\n", digits(ratio_ * h),

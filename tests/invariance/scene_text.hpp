@@ -15,9 +15,9 @@ class SceneText {
 
   int d() const { return solid_ ? 3 : 2; }
   bool solid() const { return solid_; }
-  double h = 1;                 ///< the largest spacing
-  Vector3 origin{};             ///< of the first body
-  std::string extra{};          ///< more keys of the deck
+  double h = 1;         ///< the largest spacing
+  Vector3 origin{};     ///< of the first body
+  std::string extra{};  ///< more keys of the deck
   std::vector<std::string> bodies, sets, boundary, cracks;
 
   /// A point given in spacings from the origin.

@@ -68,8 +68,7 @@ TEST(RandomScenes, OneToFourRanks) {
     const int first = static_cast<int>(k) % ranks_of_world();
     const WorkFolder folder;
     const RandomScene scene = random_scene(wanted[k], folder.path());
-    const Answer base =
-        first == rank_of_world() ? answer_of(scene.yaml, folder.path(), MPI_COMM_SELF) : Answer();
+    const Answer base = first == rank_of_world() ? answer_of(scene.yaml, folder.path(), MPI_COMM_SELF) : Answer();
     compare_ranks(ledger, scene.name, base, scene.yaml, folder.path(), first);
   }
   if (ranks_of_world() > 1) ledger.judge("random scenes on several ranks");

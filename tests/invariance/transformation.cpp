@@ -39,9 +39,7 @@ std::size_t Transformation::axis(std::size_t old) const {
   throw std::logic_error("the transformation loses an axis");
 }
 
-bool Transformation::moves_places() const {
-  return length != 1 || shift != Vector3{} || turn != Transformation{}.turn;
-}
+bool Transformation::moves_places() const { return length != 1 || shift != Vector3{} || turn != Transformation{}.turn; }
 
 std::string Transformation::formula(const std::string& text) const {
   if (!moves_places()) return text;

@@ -58,6 +58,23 @@ void replace_load_parameter(YAML::Node node, const std::string& word) {
   }
 }
 
+/// Puts the particles of `near` where a deck says all.
+void name_the_near(YAML::Node root, double beyond_x) {
+  bool any = false;
+  const auto rename = [&](YAML::Node entry) {
+    if (!entry.IsDefined() || !entry.IsScalar() || entry.as<std::string>() != "all") return;
+    entry = "all_that_is_near";
+    any = true;
+  };
+  for (const char* list : {"boundary", "initial_velocity"})
+    for (YAML::Node entry : root[list]) rename(entry["set"]);
+  for (YAML::Node entry : root["history"])
+    for (const char* kind : {"reaction", "displacement", "yielded"}) rename(entry[kind]);
+  if (root["fracture"] && root["fracture"]["unbreakable"])
+    for (YAML::Node entry : root["fracture"]["unbreakable"]) rename(entry);
+  if (any) root["sets"]["all_that_is_near"]["where"] = fmt::format("x < {}", digits(beyond_x));
+}
+
 }  // namespace
 
 double Extent::length() const {
@@ -131,6 +148,7 @@ Variant with_far_body(const DeckText& deck, const Extent& extent, double spacing
   Vector3 corner{};
   corner[0] = extent.max[0] + extent.length() * lot.between(20, 60);
   for (std::size_t c = 1; c < (solid ? 3U : 2U); ++c) corner[c] = extent.min[c] + lot.between(-3, 3) * h;
+  name_the_near(root, extent.max[0] + 10 * extent.length());
   YAML::Node body;
   body["name"] = "far_body";
   body["material"] = "far_material";
@@ -143,8 +161,7 @@ Variant with_far_body(const DeckText& deck, const Extent& extent, double spacing
       for (int j = 0; j < across; ++j)
         for (int i = 0; i < across; ++i) {
           const double place[3] = {i + lot.between(-0.2, 0.2), j + lot.between(-0.2, 0.2), k + lot.between(-0.2, 0.2)};
-          for (std::size_t c = 0; c < 3; ++c)
-            out << digits(c == 2 && !solid ? 0 : corner[c] + place[c] * h) << ',';
+          for (std::size_t c = 0; c < 3; ++c) out << digits(c == 2 && !solid ? 0 : corner[c] + place[c] * h) << ',';
           out << digits(std::pow(h, solid ? 3 : 2)) << '\n';
         }
     body["shape"]["file"] = file;

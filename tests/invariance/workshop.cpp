@@ -11,7 +11,8 @@ namespace perinox::invariance {
 
 WorkFolder::WorkFolder() {
   static int count = 0;
-  path_ = (std::filesystem::temp_directory_path() / fmt::format("perinox_invariance_{}_{}", ::getpid(), count++)).string();
+  path_ =
+      (std::filesystem::temp_directory_path() / fmt::format("perinox_invariance_{}_{}", ::getpid(), count++)).string();
   std::filesystem::create_directories(path_);
 }
 WorkFolder::~WorkFolder() {
@@ -64,9 +65,9 @@ void compare_restarts(Ledger& ledger, const std::string& scene, const std::strin
     for (std::size_t k = 0; k + 1 < whole.records.steps.size(); ++k) {
       const int step = whole.records.steps[k].step;
       const RunResult part = run_with_checkpoints(deck, MPI_COMM_SELF, checkpoints.of_step(step), nullptr);
-      const double apart = std::max({relative_difference(part.displacement, whole.displacement),
-                                     relative_difference(part.force, whole.force),
-                                     history_difference(whole, part, step + 1)});
+      const double apart =
+          std::max({relative_difference(part.displacement, whole.displacement),
+                    relative_difference(part.force, whole.force), history_difference(whole, part, step + 1)});
       if (!(apart <= largest)) largest = apart, what = fmt::format("after step {}", step);
     }
     return largest;
@@ -88,9 +89,8 @@ void compare_ranks(Ledger& ledger, const std::string& scene, const Answer& base,
       answer.refused = error.what();
     }
     if (place == 0)
-      noted(ledger, fmt::format("ranks: {}", ranks), scene, [&](std::string& what) {
-        return deviation(base, answer, {}, Rows::all, false, &what);
-      });
+      noted(ledger, fmt::format("ranks: {}", ranks), scene,
+            [&](std::string& what) { return deviation(base, answer, {}, Rows::all, false, &what); });
     MPI_Comm_free(&some);
   }
 }
