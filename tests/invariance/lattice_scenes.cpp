@@ -27,7 +27,7 @@ void load(Lot& lot, SceneText& text, const Vector3& size) {
   if (lot.chance(0.7))
     text.move("head", text.plastic ? 0.05 : 0.02);
   else
-    text.force("head", text.plastic ? 0.02 : 0.05);
+    text.force("head", text.plastic ? 0.008 : 0.05);
   text.record("foot");
   text.record("head");
 }
@@ -77,14 +77,14 @@ RandomScene bodies_apart(Lot& lot) {
   text.body("a", text.box({}, size), text.h);
   text.sets.push_back("foot: " + below_x(text, 2));
   text.hold("foot");
-  text.pressure("a", 0.01);
+  text.pressure("a", text.plastic ? 0.001 : 0.01);
   text.record("foot");
   const SceneText alone = text;
   text.body("b", text.box({size[0] + gap, up, up}, {2 * size[0] + gap, up + size[1], up + size[2]}),
             text.h * lot.one_of<double>({1, 1, 0.8}), "two");
   text.sets.push_back("other_foot: " + above_x(text, 2 * size[0] + gap - 1.95));
   text.hold("other_foot");
-  text.pressure("b", 0.02);
+  text.pressure("b", text.plastic ? 0.002 : 0.02);
   RandomScene scene = named("bodies apart", alone);
   Variant both{"another body beside it", text.text()};
   both.rows = Rows::none;

@@ -38,7 +38,7 @@ RandomScene curved_body(Lot& lot) {
   text.hold("held");
   text.record("held");
   SceneText split = text;
-  text.pressure("a", 0.005);
+  text.pressure("a", text.plastic ? 0.002 : 0.005);
   RandomScene scene = named("curved body", text);
   std::string there, back;
   for (int c = 0; c < text.d(); ++c) {
@@ -46,8 +46,8 @@ RandomScene curved_body(Lot& lot) {
     there += (c ? ", " : "") + digits(part);
     back += (c ? ", " : "") + digits(-part);
   }
-  split.pressure("a", 0.005, "[" + there + "]");
-  split.pressure("a", 0.005, "[" + back + "]");
+  split.pressure("a", text.plastic ? 0.002 : 0.005, "[" + there + "]");
+  split.pressure("a", text.plastic ? 0.002 : 0.005, "[" + back + "]");
   scene.variants.push_back({"pressure split by direction", split.text()});
   return scene;
 }
@@ -162,7 +162,7 @@ RandomScene loaded_cloud(Lot& lot, SceneText& text, const std::string& name, con
   if (lot.chance(0.7))
     text.move("head", text.plastic ? 0.05 : 0.02);
   else
-    text.force("head", text.plastic ? 0.02 : 0.05);
+    text.force("head", text.plastic ? 0.008 : 0.05);
   if (lot.chance(0.5)) text.weigh("a");
   text.record("foot");
   text.record("head");

@@ -44,8 +44,8 @@ std::string SceneText::material(Lot& lot, bool flows) const {
   if (!flows) return text;
   text += fmt::format(", yield_stress: {{{}: {}}}", lot.chance(0.5) ? "tension" : "shear",
                       digits(modulus * lot.between(0.001, 0.003)));
-  if (lot.chance(0.7))
-    text += fmt::format(", hardening_modulus: {{tension: {}}}", digits(modulus * lot.between(0.05, 0.2)));
+  // Always some hardening, so that every load has an equilibrium.
+  text += fmt::format(", hardening_modulus: {{tension: {}}}", digits(modulus * lot.between(0.05, 0.2)));
   if (lot.chance(0.3))
     text += fmt::format(", kinematic_hardening_modulus: {{shear: {}}}", digits(modulus * lot.between(0.01, 0.05)));
   return text;
