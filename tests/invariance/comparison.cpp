@@ -122,11 +122,13 @@ class Comparison {
     if (base_.rows.empty()) return;
     if (all && base_.rows.size() != changed_.rows.size()) return worst_.take(1, 1, "steps");
     const std::size_t count = all ? base_.rows.size() : 1;
-    const auto column = [&](auto&& values, double factor, const std::string& name) {
-      double difference = 0, size = 0;
+    // Sums over particles may cancel: their rounding is that of what is summed.
+    const double forces = sum_of("force"), ways = largest_of("displacement");
+    const auto column = [&](auto values, double factor, double least, const std::string& name) {
+      double difference = 0, size = factor * least;
       for (std::size_t k = 0; k < count; ++k) {
-        const auto& old = values(base_.rows[base_.rows.size() - count + k]);
-        const auto& made = values(changed_.rows[changed_.rows.size() - count + k]);
+        const auto& old = base_.rows[base_.rows.size() - count + k].*values;
+        const auto& made = changed_.rows[changed_.rows.size() - count + k].*values;
         for (std::size_t e = 0; e < std::min(old.size(), made.size()); ++e) {
           const double apart = std::abs(std::abs(made[e]) - std::abs(factor * old[e]));
           if (!(apart <= difference)) difference = apart;
@@ -136,21 +138,29 @@ class Comparison {
       worst_.take(difference, size, name);
     };
     using Row = Answer::Row;
-    column(
-        [](const Row& r) -> auto& { return r.energies; }, change_.stress* std::pow(change_.length, d_), "energies");
-    column(
-        [](const Row& r) -> auto& { return r.reactions; }, change_.stress* std::pow(change_.length, d_ - 1),
-        "reactions");
-    column(
-        [](const Row& r) -> auto& { return r.movements; }, change_.length, "movements");
-    column(
-        [](const Row& r) -> auto& { return r.shares; }, 1, "yielded");
+    const double force = change_.stress * std::pow(change_.length, d_ - 1);
+    column(&Row::energies, force * change_.length, 0, "energies");
+    column(&Row::reactions, force, forces, "reactions");
+    column(&Row::movements, change_.length, ways, "movements");
+    column(&Row::shares, 1, 0, "yielded");
   }
 
   const Worst& worst() const { return worst_; }
   Worst worst_;
 
  private:
+  double sum_of(const std::string& field) const {
+    double sum = 0;
+    if (base_.fields.count(field))
+      for (const double value : base_.fields.at(field).values) sum += std::abs(value);
+    return sum;
+  }
+  double largest_of(const std::string& field) const {
+    double most = 0;
+    if (base_.fields.count(field))
+      for (const double value : base_.fields.at(field).values) most = std::max(most, std::abs(value));
+    return most;
+  }
   double factor_of(Kind kind) const {
     switch (kind) {
       case Kind::length:
