@@ -1,6 +1,7 @@
 /// How far two answers are apart.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 #include "answer.hpp"
@@ -49,13 +50,19 @@ class Places {
   std::unordered_multimap<std::size_t, std::size_t> at_;
 };
 
+/// Without a number on either side, infinite.
+double gap(double found, double wanted) {
+  const double apart = std::abs(found - wanted);
+  return std::isfinite(apart) ? apart : std::numeric_limits<double>::infinity();
+}
+
 /// The largest of several deviations, and its name.
 struct Worst {
   double value = 0;
   std::string what;
   void take(double difference, double size, const std::string& name) {
     const double relative = size > 0 ? difference / size : (difference > 0 ? 1 : 0);
-    if (!(relative <= value)) value = relative, what = name;
+    if (relative > value) value = relative, what = name;
   }
 };
 
@@ -109,8 +116,7 @@ class Comparison {
       const std::array<double, 6> wanted = turned(&old.values[i * n], old.components);
       for (std::size_t c = 0; c < n; ++c) {
         const double found = made->second.values[static_cast<std::size_t>(partner_[i]) * n + c];
-        const double apart = std::abs(found - factor * wanted[c]);
-        if (!(apart <= difference)) difference = apart;
+        difference = std::max(difference, gap(found, factor * wanted[c]));
         size = std::max(size, std::abs(factor * wanted[c]));
       }
     }
@@ -130,8 +136,7 @@ class Comparison {
         const auto& old = base_.rows[base_.rows.size() - count + k].*values;
         const auto& made = changed_.rows[changed_.rows.size() - count + k].*values;
         for (std::size_t e = 0; e < std::min(old.size(), made.size()); ++e) {
-          const double apart = std::abs(std::abs(made[e]) - std::abs(factor * old[e]));
-          if (!(apart <= difference)) difference = apart;
+          difference = std::max(difference, gap(std::abs(made[e]), std::abs(factor * old[e])));
           size = std::max(size, std::abs(factor * old[e]));
         }
       }
@@ -145,8 +150,7 @@ class Comparison {
     column(&Row::shares, 1, 0, "yielded");
   }
 
-  const Worst& worst() const { return worst_; }
-  Worst worst_;
+  Worst& worst() { return worst_; }
 
  private:
   double sum_of(const std::string& field) const {
@@ -184,6 +188,7 @@ class Comparison {
   const Answer &base_, &changed_;
   const Transformation& change_;
   int d_;
+  Worst worst_;
   std::vector<long long> partner_;
 };
 
@@ -192,7 +197,7 @@ class Comparison {
 double deviation(const Answer& base, const Answer& changed, const Transformation& change, Rows rows, bool more,
                  std::string* what) {
   Comparison comparison(base, changed, change);
-  Worst& worst = comparison.worst_;
+  Worst& worst = comparison.worst();
   if (base.refused.empty() != changed.refused.empty())
     worst.take(1, 1, "refused: " + base.refused + changed.refused);
   else if (base.stopped.empty() != changed.stopped.empty())
