@@ -1,0 +1,129 @@
+#include "ledger.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <mpi.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "transformation.hpp"
+
+namespace perinox::invariance {
+
+namespace {
+
+/// Beside each bound the largest deviation measured over all scenes.
+const std::map<std::string, double> bounds{
+    {"ranks: 2", 1e-10},
+    {"ranks: 3", 1e-10},
+    {"ranks: 4", 1e-10},
+    {"moved by 1e5 body lengths", 1e-8},
+    {"mirrored", 1e-9},
+    {"axes exchanged", 1e-9},
+    {"unit of length", 1e-9},
+    {"unit of stress", 1e-9},
+    {"turned by any angle", 1e-9},
+    {"rows of clouds permuted", 1e-9},
+    {"a lattice far away", 1e-9},
+    {"a cloud far away", 1e-9},
+    {"bodies in another order", 1e-9},
+    {"twice the steps", 1e-9},
+    {"unloaded to zero and loaded again", 1e-9},
+    {"restarted after every step", 1e-13},
+    {"another body beside it", 1e-9},
+    {"described as a union", 1e-9},
+    {"described as a difference", 1e-9},
+    {"pressure split by direction", 1e-9},
+    {"a crack within a slit", 1e-9},
+    {"one body as two", 1e-9},
+    {"bonded across a gap or not", 1e-9},
+    {"ends of a crack exchanged", 1e-9},
+    {"a crack in two parts", 1e-9},
+};
+
+std::string line_of(const Entry& entry) {
+  return entry.kind + '\t' + entry.scene + '\t' + digits(entry.deviation) + '\t' + entry.what + '\n';
+}
+
+}  // namespace
+
+double bound_of(const std::string& kind) {
+  const auto found = bounds.find(kind);
+  if (found == bounds.end()) throw std::logic_error("no bound for " + kind);
+  return found->second;
+}
+
+bool everything() {
+  const char* word = std::getenv("PERINOX_INVARIANCE");
+  return word != nullptr && std::string(word) == "full";
+}
+
+std::vector<Entry> Ledger::of_all_ranks() const {
+  std::string mine;
+  for (Entry entry : entries_) {
+    for (char& letter : entry.what)
+      if (letter == '\n' || letter == '\t') letter = ' ';
+    mine += line_of(entry);
+  }
+  int ranks = 1, length = static_cast<int>(mine.size());
+  MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+  std::vector<int> lengths(static_cast<std::size_t>(ranks)), places;
+  MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  int total = 0;
+  for (const int part : lengths) places.push_back(total), total += part;
+  std::string all(static_cast<std::size_t>(total), ' ');
+  MPI_Allgatherv(mine.data(), length, MPI_CHAR, all.data(), lengths.data(), places.data(), MPI_CHAR, MPI_COMM_WORLD);
+  std::vector<Entry> entries;
+  std::istringstream lines(all);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    Entry entry;
+    std::string number;
+    std::getline(fields, entry.kind, '\t');
+    std::getline(fields, entry.scene, '\t');
+    std::getline(fields, number, '\t');
+    std::getline(fields, entry.what, '\t');
+    entry.deviation = std::strtod(number.c_str(), nullptr);
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
+void Ledger::judge(const std::string& title) {
+  const std::vector<Entry> entries = of_all_ranks();
+  entries_.clear();
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  std::map<std::string, std::vector<Entry>> by_kind;
+  for (const Entry& entry : entries) by_kind[entry.kind].push_back(entry);
+  EXPECT_FALSE(by_kind.empty()) << title << ": nothing was compared";
+  for (const auto& [kind, list] : by_kind) {
+    const double bound = bound_of(kind);
+    const Entry* worst = &list.front();
+    std::size_t beyond = 0;
+    for (const Entry& entry : list) {
+      if (!(entry.deviation <= worst->deviation)) worst = &entry;
+      if (entry.deviation <= bound) continue;
+      ++beyond;
+      if (rank == 0)
+        std::printf("[ beyond   ] %s; %s: %.2e in %s\n", entry.scene.c_str(), kind.c_str(), entry.deviation,
+                    entry.what.c_str());
+    }
+    EXPECT_EQ(beyond, 0U) << title << ", " << kind;
+    if (rank == 0)
+      std::printf("[ compared ] %-36s %4zu scenes, at most %.1e (bound %.0e): %s, %s\n", kind.c_str(), list.size(),
+                  worst->deviation, bound, worst->what.c_str(), worst->scene.c_str());
+    if (const char* file = std::getenv("PERINOX_INVARIANCE_ROWS"); file && rank == 0)
+      std::ofstream(file, std::ios::app) << fmt::format("{};{};{};{:.1e};{:.0e};{};{}\n", title, kind, list.size(),
+                                                        worst->deviation, bound, worst->what, worst->scene);
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace perinox::invariance

@@ -1,0 +1,40 @@
+#pragma once
+/// Scenes drawn by lot, each from its number alone.
+#include <string>
+#include <vector>
+
+#include "answer.hpp"
+#include "lot.hpp"
+
+namespace perinox::invariance {
+
+/// The scene said in another way, or with something that must not matter.
+struct Variant {
+  std::string kind;
+  std::string yaml;
+  Transformation change{};
+  Rows rows = Rows::all;
+  bool more = false;  ///< it has particles that the scene has not
+};
+
+struct RandomScene {
+  std::string name;
+  std::string yaml;
+  bool elastic = true;  ///< the answer does not depend on the way there
+  bool small = true;    ///< linear, if elastic
+  bool clouds = false;  ///< all bodies are clouds and all supports hold every component: any rotation will do
+  std::vector<Variant> variants{};  ///< of this scene alone
+};
+
+/// How many scenes there are, and of how many sorts, which take turns.
+constexpr int random_scene_count = 200;
+constexpr int random_scene_sorts = 10;
+
+/// Files that it needs are written into `folder`.
+///
+/// The model has ties of its own, at which an answer may jump: a neighbour at the horizon to 1e-6 of it, a bond that
+/// leaves the material by 0.3 spacings, a crack's tip on a bond, a bound of a set on a particle. Places are drawn so
+/// that nothing comes near one, but where the scene is there to ask what happens at it.
+RandomScene random_scene(int number, const std::string& folder);
+
+}  // namespace perinox::invariance
