@@ -20,12 +20,10 @@ Variant changed(const std::string& kind, const DeckText& deck, Transformation ch
   return variant;
 }
 
-/// The names that a node's list of maps has under `key`, in order; the list itself reversed.
-void reverse(YAML::Node list) {
-  std::vector<YAML::Node> items;
-  for (const YAML::Node& item : list) items.push_back(YAML::Clone(item));
-  std::reverse(items.begin(), items.end());
-  for (std::size_t k = 0; k < items.size(); ++k) list[k] = items[k];
+YAML::Node reversed_list(const YAML::Node& list) {
+  YAML::Node out(YAML::NodeType::Sequence);
+  for (std::size_t k = list.size(); k-- > 0;) out.push_back(YAML::Clone(list[k]));
+  return out;
 }
 
 YAML::Node reversed_map(const YAML::Node& map) {
@@ -58,8 +56,11 @@ void replace_load_parameter(YAML::Node node, const std::string& word) {
   }
 }
 
-/// Puts the particles of `near` where a deck says all.
-void name_the_near(YAML::Node root, double beyond_x) {
+/// Sets by a formula, and the set of all particles, end before a body that is beyond an x.
+void end_sets(YAML::Node root, double beyond_x) {
+  for (auto set : root["sets"])
+    if (set.second["where"])
+      set.second["where"] = fmt::format("({}) && x < {}", set.second["where"].as<std::string>(), digits(beyond_x));
   bool any = false;
   const auto rename = [&](YAML::Node entry) {
     if (!entry.IsDefined() || !entry.IsScalar() || entry.as<std::string>() != "all") return;
@@ -148,7 +149,7 @@ Variant with_far_body(const DeckText& deck, const Extent& extent, double spacing
   Vector3 corner{};
   corner[0] = extent.max[0] + extent.length() * lot.between(20, 60);
   for (std::size_t c = 1; c < (solid ? 3U : 2U); ++c) corner[c] = extent.min[c] + lot.between(-3, 3) * h;
-  name_the_near(root, extent.max[0] + 10 * extent.length());
+  end_sets(root, extent.max[0] + 10 * extent.length());
   YAML::Node body;
   body["name"] = "far_body";
   body["material"] = "far_material";
@@ -185,7 +186,7 @@ Variant with_far_body(const DeckText& deck, const Extent& extent, double spacing
 std::optional<Variant> reordered(const DeckText& deck) {
   YAML::Node root = YAML::Load(deck.yaml);
   if (root["body"].size() < 2) return std::nullopt;
-  reverse(root["body"]);
+  root["body"] = reversed_list(root["body"]);
   root["materials"] = reversed_map(root["materials"]);
   if (root["sets"]) root["sets"] = reversed_map(root["sets"]);
   return Variant{"bodies in another order", YAML::Dump(root)};
