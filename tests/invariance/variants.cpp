@@ -105,6 +105,7 @@ std::vector<Variant> frames(const DeckText& deck, const Extent& extent, int dime
   Transformation mirrored;
   const auto axis = static_cast<std::size_t>(lot.whole(0, d - 1));
   mirrored.turn[axis][axis] = -1;
+  mirrored.shift[axis] = extent.min[axis] + extent.max[axis];  // on to itself
   all.push_back(changed("mirrored", deck, mirrored, prefix));
 
   Transformation exchanged;
