@@ -49,7 +49,6 @@ RandomScene one_lattice(Lot& lot) {
 
 RandomScene several_lattices(Lot& lot) {
   SceneText text(lot, lot.chance(0.3));
-  text.plastic = text.plastic && lot.chance(0.5);
   const Vector3 size = size_of(lot, text.solid());
   const double first = lot.whole(4, 5), rest = size[0] - first;
   const double finer = text.solid() ? lot.one_of<double>({1, 0.75, 0.8}) : lot.one_of<double>({1, 0.5, 0.7});

@@ -15,6 +15,7 @@ class SceneText {
 
   int d() const { return solid_ ? 3 : 2; }
   bool solid() const { return solid_; }
+  const std::string& quadrature() const { return quadrature_; }
   double h = 1;         ///< the largest spacing
   Vector3 origin{};     ///< of the first body
   std::string extra{};  ///< more keys of the deck
