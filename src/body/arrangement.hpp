@@ -13,6 +13,8 @@ enum class Where { inside, outside, cut };
 Where where(const Solid& solid, const CellBox& box);
 /// The same solid within the box, of as few surfaces as are needed there. Only for boxes that are cut.
 Solid reduced(const Solid& solid, const CellBox& box);
+/// The same solid somewhere else.
+Solid moved(Solid solid, const deck::Point& by);
 /// All surfaces of its leaves.
 void list_surfaces(const Solid& solid, std::vector<Surface>& surfaces);
 

@@ -67,6 +67,15 @@ bool CutCells::kept(const Cell& cell) const {
   return contains(solid_, center(cell));
 }
 
+bool CutCells::empty(const Cell& cell) const {
+  CellBox near = box(cell);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(lattice_.dimension); ++c) {
+    near.lo[c] -= 100 * tolerance_;
+    near.hi[c] += 100 * tolerance_;
+  }
+  return where(solid_, near) == Where::outside;
+}
+
 double CutCells::inside(const Cell& cell) {
   const CellBox here = box(cell);
   const Where place = where(solid_, here);

@@ -30,12 +30,31 @@ Point beside(const Point& n) {
   return unit(across(axis, n));
 }
 
-/// Integrates over one surface of one leaf, for both sides on which the body can be.
+/// Facets of one surface, whose body is inside of it and outside.
+struct BothSides {
+  Facet facet[2];
+  Facet& of(int side) { return facet[side > 0 ? 0 : 1]; }
+  void operator+=(const BothSides& other) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      facet[k].whole += other.facet[k].whole;
+      facet[k].open += other.facet[k].open;
+      facet[k].untouched += other.facet[k].untouched;
+    }
+  }
+  double difference(const BothSides& other) const {
+    double largest = 0;
+    for (std::size_t k = 0; k < 2; ++k)
+      largest = std::max(
+          {largest, facet[k].whole.difference(other.facet[k].whole), facet[k].open.difference(other.facet[k].open)});
+    return largest;
+  }
+};
+
+/// Integrals over one surface of one leaf; all positions from the middle of the cell.
 class FacetIntegrals {
  public:
   FacetIntegrals(const FacetPieces& pieces, const Arrangement& arrangement, const Surface& on, const FacetQuery& query)
       : pieces_(pieces), arrangement_(arrangement), on_(on), query_(query) {
-    middle_ = times(0.5, plus(query.box.lo, query.box.hi));
     reach_ = norm(minus(query.box.hi, query.box.lo));
     const bool flat = !(query.box.hi[2] > query.box.lo[2]);
     if (on.kind == Surface::Kind::plane)
@@ -55,7 +74,7 @@ class FacetIntegrals {
   }
 
  private:
-  Point foot() const { return along(middle_, -distance(on_, middle_), on_.direction); }
+  Point foot() const { return times(-distance(on_, {}), on_.direction); }
   void add_straight(const Point& direction, const Point& at, double width, const Point& n, BothSides& sum) const;
   void add_circle(double height, double width, BothSides& sum) const;
   double tolerance() const { return 1e-12 * reach_ * reach_; }
@@ -67,7 +86,6 @@ class FacetIntegrals {
   const Arrangement& arrangement_;
   const Surface& on_;
   const FacetQuery& query_;
-  Point middle_{};
   double reach_ = 0;
   BothSides sum_;
 };
@@ -80,7 +98,7 @@ void FacetIntegrals::add_straight(const Point& direction, const Point& at, doubl
     const Point out = times(side, n);
     if (open) sum.of(side).untouched += width * length(pieces);
     if (open && query_.facing && !(dot(out, *query_.facing) > along_facing)) return;
-    add_line(open ? sum.of(side).open : sum.of(side).whole, pieces, line, width, out, middle_);
+    add_line(open ? sum.of(side).open : sum.of(side).whole, pieces, line, width, out);
   });
 }
 
@@ -93,7 +111,7 @@ void FacetIntegrals::add_circle(double height, double width, BothSides& sum) con
     if (open && query_.facing)
       pieces = intersect(pieces, circle.within({Surface::Kind::plane, on_.at, times(-side, *query_.facing), 0, 0}));
     add_arc(open ? sum.of(side).open : sum.of(side).whole, pieces, circle, height / on_.radius, {0, 0, 1}, on_, side,
-            width, middle_);
+            width);
   });
 }
 
@@ -109,7 +127,7 @@ void FacetIntegrals::plane() {
 
 void FacetIntegrals::tube() {
   const Point u = beside(on_.direction), v = cross(on_.direction, u);
-  const Point away = across(minus(middle_, on_.at), on_.direction);
+  const Point away = across(times(-1, on_.at), on_.direction);
   const double off = norm(away), seen = off > 0.5 * reach_ ? std::asin(0.5 * reach_ / off) + 1e-6 : pi;
   const double toward = off > 0 ? std::atan2(dot(away, v), dot(away, u)) : 0;
   std::vector<double> breaks = arrangement_.breaks_of_tube(on_, u, v);
@@ -118,7 +136,7 @@ void FacetIntegrals::tube() {
       breaks.push_back(std::atan2(dot(*query_.facing, v), dot(*query_.facing, u)) + turn);
   for (const double turn : {0.0, pi / 2, pi, -pi / 2}) breaks.push_back(toward + turn);
   for (double& one : breaks) one = toward + std::remainder(one - toward, 2 * pi);
-  const double height = dot(minus(middle_, on_.at), on_.direction);
+  const double height = -dot(on_.at, on_.direction);
   const auto ruling = [&](double angle, double weight, BothSides& sum) {
     const Point n = plus(times(std::cos(angle), u), times(std::sin(angle), v));
     const Point at = along(along(on_.at, height, on_.direction), on_.radius, n);
@@ -149,28 +167,33 @@ std::vector<Facet> facets_in(const Solid& solid, const FacetQuery& query) {
     around.hi[c] += grown * query.tolerance;
   }
   if (where(solid, around) != Where::cut) return {};
-  const Solid here = reduced(solid, around);
+  // From the middle of the cell nothing is lost to the rounding of large coordinates.
+  const Point middle = times(0.5, plus(query.box.lo, query.box.hi));
+  FacetQuery local = query;
+  local.box = {minus(query.box.lo, middle), minus(query.box.hi, middle)};
+  const Solid here = moved(reduced(solid, around), times(-1, middle));
   std::vector<Solid> others;
   for (const Solid* other : query.others) {
     const Where place = where(*other, around);
-    if (place == Where::cut) others.push_back(reduced(*other, around));
+    if (place == Where::cut) others.push_back(moved(reduced(*other, around), times(-1, middle)));
     if (place == Where::inside) others.push_back({Solid::Kind::convex, {}, {}});
   }
   Solid all{Solid::Kind::unite, {}, others};
   all.parts.push_back(here);
-  Arrangement arrangement(all, query.box);
+  const Arrangement arrangement(all, local.box);
   std::vector<const Solid*> leaves;
   list_leaves(here, leaves);
   std::vector<Facet> facets;
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
     for (const Surface& on : leaves[leaf]->surfaces) {
-      const FacetPieces pieces(here, leaves, leaf, on, others, query);
+      const FacetPieces pieces(here, leaves, leaf, on, others, local);
       if (pieces.shut()) continue;
       Arrangement split = arrangement;
       if (query.facing && on.kind == Surface::Kind::ball)
         split.add_plane({Surface::Kind::plane, on.at, *query.facing, 0, 0});
-      FacetIntegrals(pieces, split, on, query).append(facets);
+      FacetIntegrals(pieces, split, on, local).append(facets);
     }
+  for (Facet& facet : facets) facet.surface.at = plus(facet.surface.at, middle);
   return facets;
 }
 

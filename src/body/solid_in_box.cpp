@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "arrangement.hpp"
 #include "vectors.hpp"
@@ -84,6 +86,12 @@ Solid reduced(const Solid& solid, const CellBox& box) {
   }
   if (rest.parts.size() == 1) return Solid(rest.parts.front());
   return rest;
+}
+
+Solid moved(Solid solid, const Point& by) {
+  for (Surface& surface : solid.surfaces) surface.at = plus(surface.at, by);
+  for (Solid& part : solid.parts) part = moved(std::move(part), by);
+  return solid;
 }
 
 void list_surfaces(const Solid& solid, std::vector<Surface>& surfaces) {

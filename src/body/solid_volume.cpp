@@ -35,10 +35,13 @@ double share_of_line(const Solid& solid, const Point& begin, const Point& direct
 
 }  // namespace
 
-double share_inside(const Solid& solid, const CellBox& box) {
-  const Where place = where(solid, box);
+double share_inside(const Solid& solid, const CellBox& cell) {
+  const Where place = where(solid, cell);
   if (place != Where::cut) return place == Where::inside ? 1 : 0;
-  const Solid here = reduced(solid, box);
+  // From the middle of the cell nothing is lost to the rounding of large coordinates.
+  const Point middle = times(0.5, plus(cell.lo, cell.hi));
+  const CellBox box{minus(cell.lo, middle), minus(cell.hi, middle)};
+  const Solid here = moved(reduced(solid, cell), times(-1, middle));
   const Arrangement arrangement(here, box);
   const Form form = arrangement.straight() ? Form::polynomial : arrangement.rough() ? Form::rough : Form::root;
   const Point side = minus(box.hi, box.lo);

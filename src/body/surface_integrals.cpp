@@ -36,18 +36,17 @@ double SurfaceIntegrals::difference(const SurfaceIntegrals& other) const {
   return largest;
 }
 
-void add_line(SurfaceIntegrals& sum, const Intervals& pieces, const Line& line, double width, const Point& n,
-              const Point& middle) {
+void add_line(SurfaceIntegrals& sum, const Intervals& pieces, const Line& line, double width, const Point& n) {
   // x is linear along the line and n does not change, so that the mean x is enough.
   for (const auto& [from, to] : pieces)
-    add(sum, width * (to - from), minus(along(line.at, (from + to) / 2, line.direction), middle), n);
+    add(sum, width * (to - from), along(line.at, (from + to) / 2, line.direction), n);
 }
 
 void add_arc(SurfaceIntegrals& sum, const Intervals& pieces, const Circle& circle, double rise, const Point& e,
-             const Surface& ball, int side, double width, const Point& middle) {
+             const Surface& ball, int side, double width) {
   // The normal is rise e + reach (cos s u + sin s v).
   const double reach = circle.radius / ball.radius;
-  const Point center = minus(ball.at, middle);
+  const Point& center = ball.at;
   for (const auto& [from, to] : pieces) {
     const double length = to - from, c = std::sin(to) - std::sin(from), s = std::cos(from) - std::cos(to);
     const double cc = length / 2 + (std::sin(2 * to) - std::sin(2 * from)) / 4;

@@ -3,7 +3,7 @@
 
 namespace perinox::body {
 
-/// Integrals over a piece of surface (2-D: of a line), positions x from the middle of the cell.
+/// Integrals over a piece of surface (2-D: of a line), positions x from the middle of its cell.
 struct SurfaceIntegrals {
   double area = 0;
   deck::Point first{};       ///< of x
@@ -16,11 +16,10 @@ struct SurfaceIntegrals {
 };
 
 /// Adds pieces of a straight line in a plane or along a tube, that stand for a strip of this width; n: its normal.
-void add_line(SurfaceIntegrals& sum, const Intervals& pieces, const Line& line, double width, const deck::Point& n,
-              const deck::Point& middle);
+void add_line(SurfaceIntegrals& sum, const Intervals& pieces, const Line& line, double width, const deck::Point& n);
 /// Adds pieces of a circle on a ball, `rise` of its radius from its centre along e. width: area over angle; side: -1
 /// where the body is outside of the ball.
 void add_arc(SurfaceIntegrals& sum, const Intervals& pieces, const Circle& circle, double rise, const deck::Point& e,
-             const Surface& ball, int side, double width, const deck::Point& middle);
+             const Surface& ball, int side, double width);
 
 }  // namespace perinox::body

@@ -40,7 +40,7 @@ const FileMistake mistakes_in_files[] = {
      "{dir}/cloud.csv:1:1: x;y;z;volume is not a column of a point cloud; the columns are x, y, z, volume, separated by "
      "commas"},
     {"mesh_for_a_cloud", "cloud.csv", "", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n",
-     "deck.yaml:2:35: the file cloud.csv (file) is a Gmsh mesh, and perinox reads no meshes; what is read here: Point "
+     "deck.yaml:2:36: the file cloud.csv (file) is a Gmsh mesh, and perinox reads no meshes; what is read here: Point "
      "cloud, a CSV file with the header x,y,z,volume and a row for each particle; a mesh gives one by the centres and "
      "volumes of its elements."},
     {"cloud_of_negative_volume", "cloud.csv", "0,1,0,1", "0,1,0,-1",

@@ -29,7 +29,7 @@ const Remark remarks[] = {
      "modulus, "
      "80; check that both are in the same unit\n"},
     {"yield_stress_in_the_plane", &flat_deck, "model: elastic,", "model: elastic-plastic, yield_stress: {shear: 9e3},",
-     "note: deck.yaml:5:63: the yield stress, 15588.5 in tension and 9000 in shear, is above 0.1 of the shear modulus, "
+     "note: deck.yaml:5:57: the yield stress, 15588.5 in tension and 9000 in shear, is above 0.1 of the shear modulus, "
      "80000; check that both are in the same unit\n"},
     {"horizon_of_one_spacing", &base_deck, "ratio: 2.015", "ratio: 1.0",
      "note: deck.yaml:8:10: a horizon of 1 times the spacing holds hardly more than the nearest neighbours, whose "

@@ -55,6 +55,8 @@ class CutCells {
   deck::Point center(const Cell& cell) const;
   /// Cells with particles that stand for what is inside of a cell without one: the nearest of those around it.
   std::vector<Cell> owners(const Cell& cell) const;
+  /// Nothing of the shape is in the cell or touches it.
+  bool empty(const Cell& cell) const;
   double share_of(const Cell& own, const Cell& other) const;
   /// A part of a cell with no particle around that another particle stands for.
   struct Far {
@@ -86,7 +88,8 @@ void CutCells::around(const Cell& cell, const Visit& visit) const {
 template <class Visit>
 void CutCells::owned_around(const Cell& own, const Visit& visit) {
   around(own, [&](const Cell& cell, long long) {
-    if (const double share = kept(cell) ? 0 : share_of(own, cell); share > 0) visit(cell, share);
+    if (kept(cell) || empty(cell)) return;
+    if (const double share = share_of(own, cell); share > 0) visit(cell, share);
   });
   find_far();
   const auto found = far_.find(key(own));
