@@ -6,14 +6,6 @@ namespace perinox::invariance {
 
 namespace {
 
-/// Between two planes of particles of a lattice that begins at the origin.
-std::string below_x(const SceneText& text, double cells) {
-  return fmt::format("{{where: \"x < {}\"}}", digits(text.x(cells)));
-}
-std::string above_x(const SceneText& text, double cells) {
-  return fmt::format("{{where: \"x > {}\"}}", digits(text.x(cells)));
-}
-
 Vector3 size_of(Lot& lot, bool solid) {
   if (solid) return {double(lot.whole(7, 9)), double(lot.whole(4, 5)), double(lot.whole(4, 5))};
   return {double(lot.whole(11, 15)), double(lot.whole(7, 11)), 0};
@@ -21,8 +13,8 @@ Vector3 size_of(Lot& lot, bool solid) {
 
 /// One end held, the other one moved or drawn by a force; the middle under its weight.
 void load(Lot& lot, SceneText& text, const Vector3& size) {
-  text.sets.push_back("foot: " + below_x(text, 2));
-  text.sets.push_back("head: " + above_x(text, size[0] - 2));
+  text.add_set("foot", "<", 2);
+  text.add_set("head", ">", size[0] - 2);
   text.hold("foot");
   if (lot.chance(0.7))
     text.move("head", text.plastic ? 0.05 : 0.02);
@@ -49,7 +41,6 @@ RandomScene one_lattice(Lot& lot) {
 
 RandomScene several_lattices(Lot& lot) {
   SceneText text(lot, lot.chance(0.3));
-  text.plastic = text.plastic && lot.chance(0.5);
   const Vector3 size = size_of(lot, text.solid());
   const double first = lot.whole(4, 5), rest = size[0] - first;
   const double finer = text.solid() ? lot.one_of<double>({1, 0.75, 0.8}) : lot.one_of<double>({1, 0.5, 0.7});
@@ -57,8 +48,8 @@ RandomScene several_lattices(Lot& lot) {
   const double up = lot.between(-0.45, 0.45), aside = text.solid() ? lot.between(-0.45, 0.45) : 0;
   text.body("b", text.box({first, up, aside}, {first + rest, up + size[1], aside + size[2]}), finer * text.h,
             lot.one_of<std::string>({"one", "two"}));
-  text.sets.push_back("foot: " + below_x(text, 2));
-  text.sets.push_back("head: " + above_x(text, size[0] - 1.9 + 0.013));
+  text.add_set("foot", "<", 2);
+  text.add_set("head", ">", size[0] - 1.9 + 0.013);
   text.hold("foot");
   text.move("head", 0.02);
   text.record("foot");
@@ -75,14 +66,14 @@ RandomScene bodies_apart(Lot& lot) {
   const double up = lot.one_of<double>({0, 0, lot.between(-0.4, 0.4)});
   text.extra = "bond_bodies: false\n";
   text.body("a", text.box({}, size), text.h);
-  text.sets.push_back("foot: " + below_x(text, 2));
+  text.add_set("foot", "<", 2);
   text.hold("foot");
   text.pressure("a", text.plastic ? 0.001 : 0.01);
   text.record("foot");
   const SceneText alone = text;
   text.body("b", text.box({size[0] + gap, up, up}, {2 * size[0] + gap, up + size[1], up + size[2]}),
             text.h * lot.one_of<double>({1, 1, 0.8}), "two");
-  text.sets.push_back("other_foot: " + above_x(text, 2 * size[0] + gap - 1.95));
+  text.add_set("other_foot", ">", 2 * size[0] + gap - 1.95);
   text.hold("other_foot");
   text.pressure("b", text.plastic ? 0.002 : 0.02);
   RandomScene scene = named("bodies apart", alone);

@@ -1,5 +1,5 @@
 #pragma once
-/// Random scenes of bodies that are not one box, and of point clouds.
+/// Random scenes of bodies that are not one box.
 #include "random_scenes.hpp"
 
 namespace perinox::invariance {
@@ -10,12 +10,5 @@ RandomScene curved_body(Lot& lot);
 RandomScene slit_body(Lot& lot);
 /// A box in one piece, the same as two bodies of one material and lattice.
 RandomScene split_body(Lot& lot);
-
-/// Points near those of a lattice, and volumes that vary.
-RandomScene jittered_cloud(Lot& lot, const std::string& folder);
-/// A perfect lattice that is turned against the body, given as points.
-RandomScene turned_cloud(Lot& lot, const std::string& folder);
-/// A cloud bonded to a lattice.
-RandomScene cloud_and_lattice(Lot& lot, const std::string& folder);
 
 }  // namespace perinox::invariance

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "cloud_scenes.hpp"
 #include "lattice_scenes.hpp"
 #include "other_scenes.hpp"
 

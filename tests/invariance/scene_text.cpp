@@ -64,6 +64,10 @@ std::string SceneText::box(const Vector3& min, const Vector3& max) const {
   return fmt::format("{{box: {{min: {}, max: {}}}}}", point(min), point(max));
 }
 
+void SceneText::add_set(const std::string& name, const char* side, double cells) {
+  sets.push_back(fmt::format("{}: {{where: \"x {} {}\"}}", name, side, digits(x(cells))));
+}
+
 void SceneText::body(const std::string& name, const std::string& shape, double spacing, const std::string& material) {
   bodies.push_back(
       fmt::format("{{name: {}, shape: {}, spacing: {}, material: {}}}", name, shape, digits(spacing), material));

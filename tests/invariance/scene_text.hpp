@@ -15,6 +15,7 @@ class SceneText {
 
   int d() const { return solid_ ? 3 : 2; }
   bool solid() const { return solid_; }
+  const std::string& quadrature() const { return quadrature_; }
   double h = 1;         ///< the largest spacing
   Vector3 origin{};     ///< of the first body
   std::string extra{};  ///< more keys of the deck
@@ -25,6 +26,8 @@ class SceneText {
   std::string box(const Vector3& min, const Vector3& max) const;
   double x(double cells) const { return origin[0] + cells * h; }
   double y(double cells) const { return origin[1] + cells * h; }
+  /// A set named `name` of the particles below ("<") or above (">") a place in x.
+  void add_set(const std::string& name, const char* side, double cells);
 
   void body(const std::string& name, const std::string& shape, double spacing, const std::string& material = "one");
   /// All components held.

@@ -56,6 +56,8 @@ std::string shortened(const std::string& yaml, int steps) {
   return YAML::Dump(root);
 }
 
+bool follows_a_path(const std::string& yaml) { return along_an_arc(YAML::Load(yaml)); }
+
 bool names_particles(const std::string& yaml) {
   const YAML::Node root = YAML::Load(yaml);
   for (const auto& set : root["sets"])

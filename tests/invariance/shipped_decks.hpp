@@ -13,6 +13,8 @@ DeckText shipped(const std::string& name);
 /// The same up to its step `steps`, or whole if it has not so many.
 std::string shortened(const std::string& yaml, int steps);
 int steps_of(const std::string& yaml);
+/// True if its steps go along an arc.
+bool follows_a_path(const std::string& yaml);
 /// True if particles are named by their numbers, which other rows would change.
 bool names_particles(const std::string& yaml);
 

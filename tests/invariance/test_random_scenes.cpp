@@ -67,8 +67,14 @@ TEST(RandomScenes, OneToFourRanks) {
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const int first = static_cast<int>(k) % ranks_of_world();
     const WorkFolder folder;
-    const RandomScene scene = random_scene(wanted[k], folder.path());
-    const Answer base = first == rank_of_world() ? answer_of(scene.yaml, folder.path(), MPI_COMM_SELF) : Answer();
+    RandomScene scene = random_scene(wanted[k], folder.path());
+    Answer base = answer_of(scene.yaml, folder.path(), MPI_COMM_SELF);
+    if (k % 2 == 1) {  // with another body that some rank has to itself
+      Lot lot(static_cast<unsigned>(9000 + wanted[k]));
+      const DeckText deck{scene.yaml, folder.path()};
+      scene.yaml = with_far_body(deck, extent_of(base), base.spacing, false, lot, folder.path() + "/far").yaml;
+      base = answer_of(scene.yaml, folder.path(), MPI_COMM_SELF);
+    }
     compare_ranks(ledger, scene.name, base, scene.yaml, folder.path(), first);
   }
   if (ranks_of_world() > 1) ledger.judge("random scenes on several ranks");

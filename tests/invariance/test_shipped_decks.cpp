@@ -14,11 +14,17 @@ namespace perinox::invariance {
 namespace {
 
 /// The normal test run takes the first steps of the decks that are done in a few seconds;
-/// PERINOX_INVARIANCE_DECKS="cyclic_cube l_panel" asks for some.
+/// PERINOX_INVARIANCE_DECKS="cyclic_cube l_panel" asks for some, PERINOX_INVARIANCE_STEPS=5 for so many steps.
 constexpr int sample_steps = 2;
-const std::vector<std::string> sample{
-    "cyclic_bar_kinematic", "cyclic_cube",    "imposed_field",     "impact_bars",  "l_panel",         "single_bond",
-    "two_materials",        "yielding_plate", "notched_bar_limit", "shallow_arch", "pressurised_ring"};
+const std::vector<std::string> long_ones{"branching_plate",  "cracked_block", "fragmenting_ring",
+                                         "kalthoff_winkler", "tension_block", "thick_sphere"};
+
+std::vector<std::string> sample() {
+  std::vector<std::string> names;
+  for (const std::string& name : shipped_names())
+    if (std::find(long_ones.begin(), long_ones.end(), name) == long_ones.end()) names.push_back(name);
+  return names;
+}
 
 std::vector<std::string> wanted() {
   if (const char* list = std::getenv("PERINOX_INVARIANCE_DECKS")) {
@@ -27,7 +33,7 @@ std::vector<std::string> wanted() {
     for (std::string name; words >> name;) names.push_back(name);
     return names;
   }
-  return everything() ? shipped_names() : sample;
+  return everything() ? shipped_names() : sample();
 }
 
 int most_steps() {
@@ -89,7 +95,8 @@ TEST(ShippedDecks, RestartAfterEveryStep) {
   Ledger ledger;
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (static_cast<int>(k) % ranks_of_world() != rank_of_world()) continue;
-    DeckText deck = shipped(names[k]);
+    const DeckText deck = shipped(names[k]);
+    if (follows_a_path(deck.yaml)) continue;  // it writes no checkpoint (docs/restart.md)
     // One step more than the sample has, so that there are two to go on from.
     compare_restarts(ledger, names[k], shortened(deck.yaml, most_steps() + 1), deck.folder);
   }

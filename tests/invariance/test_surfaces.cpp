@@ -115,5 +115,27 @@ history: [{{name: x, reaction: all, component: x}}, {{name: y, reaction: all, co
   }
 }
 
+/// Under a linear field the mean movement is that of the middle, whatever the spacings of the parts.
+TEST(Surfaces, TheMeanMovementIsByVolume) {
+  for (const double finer : {1.0, 0.5, 0.25}) {
+    const Answer answer = answer_of(fmt::format(R"(
+dimension: plane-stress
+body:
+  - {{name: a, shape: {{box: {{min: [0, 0], max: [6, 6]}}}}, spacing: 1, material: m}}
+  - {{name: b, shape: {{box: {{min: [6, 0], max: [12, 6]}}}}, spacing: {}, material: m}}
+horizon: {{length: 3.015}}
+materials: {{m: {{model: elastic, young_modulus: 1000, poisson_ratio: 0.3}}}}
+boundary: [{{set: all, displacement: {{x: "0.01*x*t", y: 0}}}}]
+steps: {{end: 1, count: 1}}
+history: [{{name: mean, displacement: all, component: x}}]
+)",
+                                                finer),
+                                    ".", MPI_COMM_SELF);
+    ASSERT_EQ(answer.refused + answer.stopped, "");
+    const double mean = answer.rows.back().movements.front();
+    EXPECT_LE(test::measured("mean of 0.01 x over 0 to 12, less 0.06", std::abs(mean - 0.06)), 1e-15);
+  }
+}
+
 }  // namespace
 }  // namespace perinox::invariance
