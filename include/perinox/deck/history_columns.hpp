@@ -38,6 +38,7 @@ inline const std::vector<std::string> history_columns{
     "cause",
     "phase_time",
     "phase_energy",
+    "overlap",
 };
 
 }  // namespace perinox::deck
