@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Every deck of inputs/, broken off after every step (and once within each step that goes through time) and gone on with
-# from its own checkpoint: the same rows and the same end, to the last bit. Some ten minutes.
+# from its own checkpoint: the same rows and the same end, to the last bit.
 #   scripts/restarts.sh [DECK ...]     names as in inputs/, without .yaml; all of them where none is given
 # Builds in build, or in PERINOX_BUILD_DIR. Prints a line a deck; exit status 1 if one ends otherwise. docs/restart.md.
 set -euo pipefail

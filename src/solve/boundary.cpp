@@ -96,14 +96,7 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
       first_not_finite(deck.steps.count > 0 ? deck.steps.end / deck.steps.count : deck.steps.end));
   scene_.body().communicator.agree_on_input_error(first_not_finite(deck.steps.end));
   keep_steady_values();
-  const auto remembers = [](const auto& material) {
-    const materials::HistoryLayout layout = material->history();
-    return !layout.point.empty() || layout.per_bond > 0;
-  };
-  const auto& materials = scene.materials();
-  if (deck.dynamics == deck::Dynamics::quasi_static && deck.steps.control == deck::Control::load &&
-      (deck.breaks() || std::any_of(materials.begin(), materials.end(), remembers)))
-    remark_on_reversals(deck.steps);
+  remark_on_reversals(deck);
 }
 
 void Boundary::keep_steady_values() {

@@ -14,6 +14,22 @@ namespace {
 /// Phases of motion at one load before the run gives up.
 constexpr int most_phases = 20;
 constexpr double most_patience = 1000;
+
+/// What a phase in time has come to, at its end. rounding: the energy below which nothing is known.
+void describe(const HandOver::Result& result, double rounding, MotionPhase& row) {
+  const MotionEnergies& e = result.energies;
+  row.at_rest = result.at_rest;
+  row.time = result.time;
+  row.time_steps = result.time_steps;
+  row.broken_bonds = result.broken;
+  row.external_work = e.external_work;
+  row.released_energy = e.released;
+  row.damped_energy = e.damped + e.kinetic + e.contact;
+  row.most_kinetic_energy = result.most_kinetic;
+  row.unaccounted_energy = e.gain();
+  const double scale = std::max(e.scale(), rounding);
+  row.unaccounted_share = scale > 0 ? e.gain() / scale : 0;
+}
 }  // namespace
 
 LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
@@ -115,17 +131,7 @@ std::string LoadStepper::finish_motion(Observer& observer, NewtonResult& total) 
     motion_->phase_time += result.time;
     motion_->phase_energy += e.damped + e.kinetic + e.contact;
     row.t_end = committed_.t();
-    row.at_rest = result.at_rest;
-    row.time = result.time;
-    row.time_steps = result.time_steps;
-    row.broken_bonds = result.broken;
-    row.external_work = e.external_work;
-    row.released_energy = e.released;
-    row.damped_energy = e.damped + e.kinetic + e.contact;
-    row.most_kinetic_energy = result.most_kinetic;
-    row.unaccounted_energy = e.gain();
-    const double scale = std::max(e.scale(), energy_of_rounding(scene_, committed_.displacement(), boundary_.loose()));
-    row.unaccounted_share = scale > 0 ? e.gain() / scale : 0;
+    describe(result, energy_of_rounding(scene_, committed_.displacement(), boundary_.loose()), row);
     observer.phase_ended(row);
     if (!result.at_rest) return result.reason;
     newton_.bonds_changed(true);

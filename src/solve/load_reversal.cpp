@@ -152,8 +152,16 @@ std::optional<double> Boundary::first_reversal(double from, double to, bool as_i
   return first;
 }
 
-void Boundary::remark_on_reversals(const deck::Steps& steps) {
-  if (steps.count > most_steps) return;
+void Boundary::remark_on_reversals(const deck::Deck& deck) {
+  const auto remembers = [](const auto& material) {
+    const materials::HistoryLayout layout = material->history();
+    return !layout.point.empty() || layout.per_bond > 0;
+  };
+  const auto& materials = scene_.materials();
+  const deck::Steps& steps = deck.steps;
+  if (deck.dynamics != deck::Dynamics::quasi_static || steps.control != deck::Control::load || steps.count > most_steps)
+    return;
+  if (!deck.breaks() && std::none_of(materials.begin(), materials.end(), remembers)) return;
   const double each = static_cast<double>(parts) * steps.count;
   for (LoadHistory load : changing_loads()) {
     if (!load.uniform()) {

@@ -169,7 +169,6 @@ TEST(Unloading, NearlyNothing) {
   };
   const RunResult way = at_end("t<1.5 ? 30*t : 3e-5"), own = at_end("1.5e-5*t");
   ASSERT_EQ(way.stopped, "");
-  // Measured 1e-9.
   EXPECT_LE(test::measured("a millionth of the load after all of it",
                            relative_difference(way.displacement, own.displacement)),
             1e-7);
