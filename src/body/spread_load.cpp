@@ -76,8 +76,13 @@ Eigen::MatrixXd distribute(const Carriers& carriers, const Point& center, const 
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
   solver.setThreshold(1e-8);
   solver.compute(x.transpose() * w.asDiagonal() * x);
-  return w.asDiagonal() *
-         (Eigen::VectorXd::Constant(count, 1 / w.sum()) * integrals.topRows(1) + x * solver.solve(moments));
+  Eigen::MatrixXd parts = w.asDiagonal() * (Eigen::VectorXd::Constant(count, 1 / w.sum()) * integrals.topRows(1) +
+                                            x * solver.solve(moments));
+  // Far from its carriers a load takes large weights, whose rounding goes to the one that is preferred most.
+  Eigen::Index most = 0;
+  w.maxCoeff(&most);
+  parts.row(most) += integrals.row(0) - parts.colwise().sum();
+  return parts;
 }
 
 }  // namespace
@@ -107,8 +112,9 @@ void hand_over(const Body& body, std::vector<FaceShare>& shares) {
   }
 }
 
-void spread_load(const Facet& facet, const Point& middle, double weight, const Body& body, LocalIndex i, double spacing,
-                 const std::optional<Point>& facing, const NeighborSearch& search, std::vector<FaceShare>& shares) {
+void spread_load(const Facet& facet, const Point& middle, double weight, const Body& body, LocalIndex i,
+                 const CutCells& cells, const std::optional<Point>& facing, const NeighborSearch& search,
+                 std::vector<FaceShare>& shares) {
   if (!(facet.open.area > 0)) return;
   const Point center = along(middle, 1 / facet.whole.area, facet.whole.first);
   const Carriers carriers = carriers_of(facet, center, body, i, cells, search);
