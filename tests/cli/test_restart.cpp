@@ -396,9 +396,8 @@ TEST(Restart, ACopiedRunGoesOnWithItsFiles) {
   ASSERT_EQ(
       folder.perinox({"run", "old/deck.yaml", "--output", "old/r", "--quiet", "--set", "steps.time_limit=1e-3"}).status,
       1);
-  EXPECT_THAT(
-      read(folder.path() / "old/r/deck.resolved.yaml"),
-      AllOf(HasSubstr("file: ../data/cloud.csv"), HasSubstr("table: ../data/field.csv"), Not(HasSubstr("old"))));
+  EXPECT_THAT(read(folder.path() / "old/r/deck.resolved.yaml"),
+              AllOf(HasSubstr("../data/cloud.csv"), HasSubstr("../data/field.csv"), Not(HasSubstr("old"))));
   std::filesystem::copy(folder.path() / "old", folder.path() / "copy", std::filesystem::copy_options::recursive);
   std::filesystem::rename(folder.path() / "old", folder.path() / "gone");
   // A table of other numbers at the same place is another problem.

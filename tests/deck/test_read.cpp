@@ -211,7 +211,7 @@ TEST(Read, FilesAreFoundFromTheDecksFolder) {
   EXPECT_EQ(again.boundary[0].table, (folder / "field.csv").string());
   // In a folder of its own the names start there, so that both can be moved together.
   const std::string results = (folder / "results/deck").string(), moved = write_resolved(deck, results);
-  EXPECT_THAT(moved, ::testing::HasSubstr("table: ../../field.csv"));
+  EXPECT_THAT(moved, ::testing::HasSubstr("table: \"../../field.csv\""));
   EXPECT_EQ(moved.find(folder.string()), std::string::npos);
   EXPECT_EQ(read_text(moved, results + "/deck.resolved.yaml", fixture::schema()).boundary[0].table,
             (folder / "field.csv").string());
@@ -223,7 +223,8 @@ TEST(Read, FilesAreFoundFromTheDecksFolder) {
   // A name that is absolute in the deck stays so.
   const Deck absolute = read((folder / "deck.yaml").string(), fixture::schema(),
                              {"body.0.shape.file=" + (folder / "cloud.csv").string()});
-  EXPECT_THAT(write_resolved(absolute, results), ::testing::HasSubstr("file: " + (folder / "cloud.csv").string()));
+  EXPECT_THAT(write_resolved(absolute, results),
+              ::testing::HasSubstr("file: \"" + (folder / "cloud.csv").string() + "\""));
   // A deck in a checkpoint names files that may be gone; where they are is no difference.
   const Deck saved = read_saved(fixture::changed(moved, "../../field.csv", "../gone.csv"), "saved", fixture::schema());
   EXPECT_TRUE(changed_keys(saved.resolved, deck.resolved).empty());
