@@ -10,7 +10,7 @@ const char* const always = "in every run";
 const char* const vector_of_3 = "3: x, y, z; in 2-D z is 0";
 
 std::vector<FieldDeclaration> common_fields() {
-  const char* const tensor = "6: xx, xy, xz, yy, yz, zz, along the axes of the undeformed body";
+  const char* const tensor = "9: xx, xy, xz, yx, yy, yz, zx, zy, zz, along the axes of the undeformed body";
   const char* const strains = "in every run whose materials work on sums over the family, as all built-in ones do";
   return {
       {"displacement", "Displacement from the reference position; always written.", "length", vector_of_3, always},
@@ -23,7 +23,8 @@ std::vector<FieldDeclaration> common_fields() {
       {"weighted_volume",
        "Sum over the family of influence times length squared times volume; with influence: inverse a length less.",
        "length^2*volume", "1", always},
-      {"stress", "Stress tensor, from the force state; zz is that out of the plane in plane strain, and 0 in plane stress.",
+      {"stress",
+       "Stress tensor, from the force state; zz is that out of the plane in plane strain, and 0 in plane stress.",
        "stress", tensor, strains},
       {"strain",
        "Strain tensor that tells the stretch of the family's bonds best, the plastic part included; zz is that out of "
@@ -35,7 +36,8 @@ std::vector<FieldDeclaration> common_fields() {
        "in every run; 0 where no material is elastic-plastic"},
       {"velocity", "Velocity.", "velocity", vector_of_3, "with dynamics: explicit"},
       {"fragment",
-       "Number of the fragment that the particle belongs to, by its smallest particle id, from 0: what chains of intact "
+       "Number of the fragment that the particle belongs to, by its smallest particle id, from 0: what chains of "
+       "intact "
        "bonds hold together.",
        "-", "1", "in every run; without cracks and damage laws a body that hangs together is one"},
   };

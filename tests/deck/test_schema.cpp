@@ -143,7 +143,7 @@ TEST(Help, TellsEveryOutputField) {
       "stress, an output field\n"
       "  Stress tensor, from the force state; zz is that out of the plane in plane strain, and 0 in plane stress.\n"
       "  unit: stress\n"
-      "  values a particle: 6: xx, xy, xz, yy, yz, zz, along the axes of the undeformed body\n"
+      "  values a particle: 9: xx, xy, xz, yx, yy, yz, zx, zy, zz, along the axes of the undeformed body\n"
       "  exists: in every run whose materials work on sums over the family, as all built-in ones do\n"
       "  asked for with output: {fields: [stress]}\n");
 }
