@@ -26,6 +26,7 @@ const std::map<std::string, double> bounds{
     {"moved by 1e5 body lengths", 1e-8},
     {"mirrored", 1e-9},
     {"axes exchanged", 1e-9},
+    {"axes exchanged, round bodies", 1e-6},
     {"unit of length", 1e-9},
     {"unit of stress", 1e-9},
     {"turned by any angle", 1e-9},

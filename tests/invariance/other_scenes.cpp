@@ -35,6 +35,7 @@ RandomScene curved_body(Lot& lot) {
   SceneText split = text;
   text.pressure("a", text.plastic ? 0.002 : 0.005);
   RandomScene scene = named("curved body", text);
+  scene.round = true;
   // Along an axis the other components of a direction are zero. Whole cells have faces across it, which would be lost.
   const bool along_x = text.quadrature() == "position-aware" && lot.chance(0.5);
   std::string there, back;

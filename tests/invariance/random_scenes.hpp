@@ -22,6 +22,7 @@ struct RandomScene {
   std::string yaml;
   bool elastic = true;  ///< the answer does not depend on the way there
   bool small = true;    ///< linear, if elastic
+  bool round = false;   ///< its surface is integrated line by line, along one of the axes
   bool clouds = false;  ///< all bodies are clouds and all supports hold every component: any rotation will do
   std::vector<Variant> variants{};  ///< of this scene alone
 };

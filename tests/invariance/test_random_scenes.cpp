@@ -39,6 +39,8 @@ std::vector<Variant> variants_of(const RandomScene& scene, const Answer& base, c
     all.push_back(through_zero(deck));
   }
   all.insert(all.end(), scene.variants.begin(), scene.variants.end());
+  for (Variant& variant : all)
+    if (scene.round && variant.kind == "axes exchanged") variant.kind += ", round bodies";
   return all;
 }
 
