@@ -195,7 +195,7 @@ Body build(const deck::Deck& deck, const Communicator& communicator, double reac
     body.spacing = spacings.front();
   const std::vector<int> materials = material_indices(deck);
 
-  refuse_unfit_lengths(deck, reach);
+  refuse_unfit_lengths(deck, deck.horizon.length.value_or(deck.horizon.ratio.value_or(0) * spacing), reach);
   const double memory = machine_memory(communicator);
   refuse_too_large(deck, reach, spacing, memory);
   refuse_overlaps(deck);

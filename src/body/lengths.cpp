@@ -22,7 +22,7 @@ double longest_extent(const deck::Shape& shape, int dimension) {
 }
 }  // namespace
 
-void refuse_unfit_lengths(const deck::Deck& deck, double reach) {
+void refuse_unfit_lengths(const deck::Deck& deck, double horizon, double reach) {
   for (const deck::BodyPart& part : deck.body) {
     if (std::holds_alternative<deck::CloudFile>(part.shape.form) || !(part.spacing > 0)) continue;
     const double longest = longest_extent(part.shape, deck::unknowns(deck.dimension));
@@ -37,7 +37,7 @@ void refuse_unfit_lengths(const deck::Deck& deck, double reach) {
           fmt::format("the horizon {:g} is shorter than the spacing {:g} of the body {}, so that its particles "
                       "have no neighbours; a horizon of 3 spacings is usual: make it {:g}, or the spacing "
                       "smaller",
-                      reach, part.spacing, part.name, 3 * part.spacing));
+                      horizon, part.spacing, part.name, 3 * part.spacing));
   }
 }
 

@@ -110,12 +110,13 @@ std::optional<Overlap> overlap_of(const deck::Deck& deck, std::size_t earlier, s
   }
   const Solid solid = solid_of(*one, d), more = solid_of(*other, d);
   const Lines lines{solid, more, box, d};
-  for (int axis = 0; axis < d; ++axis) {
+  std::optional<Overlap> found;
+  for (int axis = 0; axis < d; ++axis) {  // thick enough along every axis
     const Lines::Sum sum = lines.along(axis, step);
-    if (sum.hits > 0 && sum.length / sum.hits > thinnest * spacing)
-      return Overlap{earlier, later, sum.length * sum.section, *sum.at};
+    if (!(sum.hits > 0 && sum.length / sum.hits > thinnest * spacing)) return std::nullopt;
+    if (!found) found = Overlap{earlier, later, sum.length * sum.section, *sum.at};
   }
-  return std::nullopt;
+  return found;
 }
 
 Solid shrunk(Solid solid, double by) {

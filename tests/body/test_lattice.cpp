@@ -179,10 +179,13 @@ TEST(Body, SeveralBodiesAreNumberedOneAfterAnother) {
 }
 
 TEST(Body, CoincidentParticlesAreNamedWithTheirPlace) {
-  deck::Deck deck = cube(3);
-  add_body(deck, "copy", deck::Box{{2, 2, 2}, {4, 4, 4}});
+  const TextFile one("one.csv", "x,y,z,volume\n0,0,0,1\n2.5,2.5,2.5,1\n"),
+      two("two.csv", "x,y,z,volume\n2.5,2.5,2.5,1\n");
+  deck::Deck deck = empty_deck();
+  add_body(deck, "first", deck::CloudFile{one.path()});
+  add_body(deck, "copy", deck::CloudFile{two.path()});
   EXPECT_EQ(refusal([&] { build_body(deck); }),
-            "deck.yaml:4:5: particles 26 and 27 are in the same place (2.5, 2.5, 2.5); take one of them out, or move "
+            "deck.yaml:4:5: particles 1 and 2 are in the same place (2.5, 2.5, 2.5); take one of them out, or move "
             "the bodies apart "
             "so that they do not overlap");
 }

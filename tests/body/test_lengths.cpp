@@ -8,7 +8,7 @@ namespace {
 using namespace fixture;
 
 std::string refusal_of(const deck::Deck& deck, double reach) {
-  return refusal([&] { refuse_unfit_lengths(deck, reach); });
+  return refusal([&] { refuse_unfit_lengths(deck, reach, reach); });
 }
 
 deck::Deck placed_deck(const deck::Box& box, double spacing) {

@@ -21,8 +21,10 @@ deck::Deck two_boxes(double from, deck::Dimension dimension = deck::Dimension::t
 }
 
 TEST(Overlap, IsRefusedWithItsPlaceAndSize) {
-  EXPECT_THAT(refusal([] { build_body(two_boxes(4)); }),
-              StartsWith("deck.yaml:4:5: the body second overlaps the body block by about 90, for example at (4"));
+  EXPECT_THAT(
+      refusal([] { build_body(two_boxes(4)); }),
+      StartsWith(
+          "deck.yaml:4:5: the body second overlaps the body block by about 90, for example at (7, 2.25, 1.25), where"));
   EXPECT_THAT(refusal([] { build_body(two_boxes(9.9)); }), HasSubstr("by about 1.5, for example at"));
   EXPECT_THAT(refusal([] { build_body(two_boxes(4, deck::Dimension::plane_stress)); }), HasSubstr("by about 30,"));
   EXPECT_EQ(refusal([] { build_body(two_boxes(10)); }), "nothing was refused");

@@ -24,7 +24,8 @@ const Mistake mistakes[] = {
     {"unknown_key_of_the_deck", base, "influence:", "influnce:", "9:1",
      "influnce is not a key of a deck; did you mean influence?"},
     {"unknown_key_far_from_all", base, "influence: constant", "colour: red", "9:1",
-     "colour is not a key of a deck; its keys are title, dimension, body, bond_bodies, horizon, influence, "
+     "colour is not a key of a deck; its keys are title, dimension, body, overlap, bond_bodies, bonds, horizon, "
+     "influence, "
      "quadrature, deformation, cracks, materials, sets, boundary, dynamics, initial_velocity, explicit, fracture, "
      "fallback, hand_over, steps, arc_length, solver, output and history"},
     {"unknown_key_of_a_material", base, "yield_stress", "yield_stess", "16:5",
