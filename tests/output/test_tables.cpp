@@ -37,7 +37,7 @@ TEST(HistoryTable, HoldsNamedColumnsAndReadsBackToTheSameNumbers) {
 TEST(HistoryTable, ItsColumnsAreTheNamesThatAreTaken) {
   std::string all;
   for (const std::string& name : deck::history_columns) all += (all.empty() ? "" : ",") + name;
-  EXPECT_EQ(HistoryTable::header({}, {true, true, true}), all);
+  EXPECT_EQ(HistoryTable::header({}, {true, true, true, true}), all);
 }
 
 TEST(ConvergenceTable, HoldsOneRowAnIterationWithItsAttempt) {

@@ -65,6 +65,7 @@ dimension: 3
 body:
   - {name: one, shape: {box: {min: [0, 0, 0], max: [4, 4, 4]}}, spacing: 1, material: steel}
   - {name: two, shape: {box: {min: [3.6, 0.3, 0], max: [7.6, 4.3, 4]}}, spacing: 1, material: steel}
+overlap: later-wins
 bond_bodies: false
 horizon: {ratio: 3.015}
 materials: {steel: {model: elastic, young_modulus: 210e3, poisson_ratio: 0.3, density: 7.85e-9}}
