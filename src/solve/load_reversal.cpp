@@ -124,7 +124,8 @@ struct Boundary::LoadHistory {
       const double square = product(increment, increment);
       size = std::max(size, product(now, now));
       if (!(square > rounding * rounding * size)) continue;  // as well where it is not finite
-      if (!way.empty() && product(increment, way) < -1e-9 * std::sqrt(square) * length)
+      // Not whether `way` is empty: a rank that has no particle of the set has to join in the sum all the same.
+      if (length > 0 && product(increment, way) < -1e-9 * std::sqrt(square) * length)
         return turn(begin, moments[k], way);
       way = std::move(increment);
       length = std::sqrt(square);

@@ -72,6 +72,10 @@ std::vector<Variant> variants_of(const Calm& base, const std::string& folder) {
   if (!names_particles(base.deck.yaml))
     if (const auto variant = permuted(base.deck, lot, prefix)) all.push_back(*variant);
   if (const auto variant = reordered(base.deck)) all.push_back(*variant);
+  const auto names = [&](const char* shape) { return base.deck.yaml.find(shape) != std::string::npos; };
+  for (Variant& variant : all)
+    if (variant.kind == "axes exchanged" && (names("sphere:") || names("cylinder:") || names("plate_with_hole:")))
+      variant.kind += ", round bodies";
   return all;
 }
 
