@@ -43,7 +43,7 @@ explicit: {contact: {}, time_step: 5e-8}
 initial_velocity: [{set: falling, )" +
          velocity + R"(}]
 boundary: []
-steps: {end: 4e-5, count: 8}
+steps: {end: 4e-5, count: 80}
 history: [{name: above, displacement: falling, component: )" +
          scene.axis + "}, {name: below, displacement: resting, component: " + scene.axis + "}]\n";
 }
