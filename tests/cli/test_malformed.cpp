@@ -145,9 +145,9 @@ const Mistake mistakes_in_decks[] = {
      "units in which it lies between 1e-25 and 1e+25"},
     {"bodies_that_overlap", &base_deck, "horizon:",
      "  - {name: twin, shape: {box: {min: [0, 0, 3], max: [3, 3, 5]}}, spacing: 1, material: steel}\nhorizon:",
-     "deck.yaml:8:5: particles 27 and 36 are in the same place (0.5, 0.5, 3.5); take one of them out, or move the "
-     "bodies apart so "
-     "that they do not overlap"},
+     "deck.yaml:8:5: the body twin overlaps the body block by about 9, for example at (1.5, 0.25, 3.25), where "
+     "material "
+     "would count twice; take one shape from the other with difference, or write overlap: later-wins"},
     {"empty_family", &base_deck, "{ratio: 2.015}", "{length: 0.5}",
      "deck.yaml:8:10: the horizon 0.5 is shorter than the spacing 1 of the body block, so that its particles have no "
      "neighbours; a horizon of 3 spacings is usual: make it 3, or the spacing smaller"},

@@ -48,7 +48,7 @@ const FractureMistake mistakes[] = {
     {"criterion_without_a_release_rate", "elastic", "    damage: {critical_stretch: 0.01, criterion: stretch}\n", "",
      "deck.yaml:16:49: criterion goes with energy_release_rate only; remove it"},
     {"unknown_criterion", "elastic", "    damage: {energy_release_rate: 1, criterion: energy}\n", "",
-     "deck.yaml:16:49: criterion cannot be 'energy'; it can be automatic, bond-energy or stretch"},
+     "deck.yaml:16:49: criterion cannot be 'energy'; did you mean bond-energy?"},
     {"ductile_without_a_strain", "elastic-plastic", "    damage: {ductile: {c: 1}}\n", "",
      "deck.yaml:17:23: materials.steel.damage.ductile needs the key d0 (a number): Failure strain at zero "
      "triaxiality."},

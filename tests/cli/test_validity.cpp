@@ -35,8 +35,8 @@ TEST(Validity, FacesOfACrackThatPassEachOtherAreSaidOnceAStepAndAtTheEnd) {
   EXPECT_THAT(outcome.error, StartsWith("warning: in step 2, t = 0.5, faces that no bond joins overlap by "));
   const std::vector<std::string> rows = lines_of(read(folder.path() / "out/history.csv"));
   EXPECT_THAT(rows[0], EndsWith(",overlap"));
-  EXPECT_THAT(rows[4], EndsWith(",0"));
-  EXPECT_THAT(rows[2], Not(EndsWith(",0")));
+  EXPECT_THAT(rows[5], EndsWith(",0"));
+  EXPECT_THAT(rows[3], Not(EndsWith(",0")));
 
   const Outcome quiet = folder.perinox({"run", "deck.yaml", "--output", "out", "--quiet"});
   EXPECT_EQ(quiet.error, outcome.error);

@@ -244,7 +244,9 @@ TEST(FieldTableOnRanks, EveryRankReadsItsOwnRows) {
 TEST(BodyOnRanks, SurfaceLoadsAreTheSame) {
   std::map<std::string, deck::Deck> all = scenes();
   all["bonded"] = deck_of(deck::Box{{0, 0, 0}, {10, 4.3, 4}});
-  add_body(all["bonded"], "lid", deck::Sphere{{4, 2, 6}, 2.6}, 0.5);
+  add_body(all["bonded"], "lid",
+           deck::Difference{{shape_of(deck::Sphere{{4, 2, 6}, 2.6}), shape_of(deck::Box{{0, 0, 0}, {10, 4.3, 4}})}},
+           0.5);
   for (deck::BodyPart& part : all["bonded"].body) part.cut_cells = true;
   for (const auto& [name, deck] : all)
     for (const bool facing : {false, true}) {

@@ -159,9 +159,10 @@ TEST(Sphere, ElasticUnderPressure) {
   // Over the goal of 1 % at every resolution that was run: 0.021 at 65 across, 0.012 at 97.
   Verification table("sphere", "elastic: displacement", "Lame 1852");
   for (const int across : resolutions({25, 33, 49}, {65, 97}))
-    EXPECT_LE(lame_error(table, "position-aware", across), 0.05);  // 0.049, 0.041, 0.030
+    // 0.051, 0.046, 0.032; with sampled volumes, which were up to 5 % too large, it was 0.049, 0.041, 0.030
+    EXPECT_LE(lame_error(table, "position-aware", across), 0.052);
   for (const int across : resolutions({25, 33, 49}, {65, 97}))
-    EXPECT_GE(lame_error(table, "whole", across), 0.12);  // 0.187, 0.157, 0.141
+    EXPECT_GE(lame_error(table, "whole", across), 0.12);  // 0.189, 0.161, 0.141
 }
 
 TEST(Sphere, PlasticZone) {

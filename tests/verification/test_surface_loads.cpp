@@ -111,9 +111,9 @@ dimension: plane-stress
 body: {}
 horizon: {{length: 3.015}}
 deformation: small
-materials: {{m: {{model: elastic, young_modulus: 1, poisson_ratio: 0.3}}}}
+materials: {{m: {{model: elastic, young_modulus: 1000, poisson_ratio: 0.3}}}}
 sets:
-  low: {{where: "abs(y) < 1 && x < 1"}}
+  low: {{where: "abs(y) < 1 && x < 1.6"}}
   right: {{where: "abs(y) < 1 && x > 10"}}
 boundary:
   - {{set: low, displacement: {{y: 0}}}}
@@ -124,7 +124,7 @@ steps: {{end: 1, count: 1}}
 )",
                                                          body, loads)),
                                      inside);
-    return std::pair{(found.xx + 0.3 * found.yy) / 0.91, (found.yy + 0.3 * found.xx) / 0.91};
+    return std::pair{1000 * (found.xx + 0.3 * found.yy) / 0.91, 1000 * (found.yy + 0.3 * found.xx) / 0.91};
   };
   const std::string plates =
       "[{name: a, shape: {box: {min: [0, 0], max: [6, 6]}}, spacing: 1, material: m}, "
