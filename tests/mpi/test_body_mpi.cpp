@@ -252,9 +252,9 @@ TEST(BodyOnRanks, SurfaceLoadsAreTheSame) {
     for (const bool facing : {false, true}) {
       std::optional<deck::Point> direction;
       if (facing) direction = deck::Point{0.6, 0.8, 0};
-      const auto loads = [&](const Body& body) {
+      const auto loads = [&, &scene = deck](const Body& body) {
         std::vector<double> sums(4 * static_cast<std::size_t>(body.total));
-        for (const FaceShare& face : exposed_faces(deck, body, body.sets.at("all"), {"deck.yaml", 3, 5}, direction)) {
+        for (const FaceShare& face : exposed_faces(scene, body, body.sets.at("all"), {"deck.yaml", 3, 5}, direction)) {
           const auto id = static_cast<std::size_t>(body.id[static_cast<std::size_t>(face.particle)]);
           for (std::size_t c = 0; c < 3; ++c) sums[4 * id + c] += face.area[c];
           sums[4 * id + 3] += face.size;
