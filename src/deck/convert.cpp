@@ -234,7 +234,8 @@ bool Deck::may_move() const {
 }
 
 bool Deck::may_overlap() const {
-  return dynamics != Dynamics::explicit_ && (breaks() || !cracks.empty() || (!bond_bodies && body.size() > 1));
+  const bool kept_apart = dynamics == Dynamics::explicit_ && motion.contact;
+  return !kept_apart && (breaks() || !cracks.empty() || (!bond_bodies && body.size() > 1));
 }
 
 int unknowns(Dimension dimension) { return dimension == Dimension::three ? 3 : 2; }

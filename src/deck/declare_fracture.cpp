@@ -60,7 +60,8 @@ Key declare_fracture() {
       "How bonds break under quasi-static load: they are frozen during Newton; then the critical ones break, worst "
       "first, and the same load is solved again, until none breaks.",
       {set_list("unbreakable", "Sets whose particles' bonds never break, such as those under grips."),
-       share_key("pass_share", "1e-4", "Most bonds that break in one pass, of all bonds; the worst always does."),
+       share_key("pass_share", "1e-4",
+                 "Most bonds that break in one pass, of all bonds of the bodies that can move; the worst always does."),
        integer_key("max_passes", 1, 1e9, "1000", "Passes at one load after which the step counts as failed.")});
   key.fallback = "{}";
   key.example = "fracture: {unbreakable: [foot, head], pass_share: 1e-4}";
@@ -135,7 +136,9 @@ Key declare_hand_over() {
   overload.fallback = "4";
   Key key = map_key(
       "hand_over", "When a quasi-static run goes on in time, and when it comes back.",
-      {share_key("broken_share", "0.005", "Bonds broken in one load step, of all bonds, that make it a dynamic event."),
+      {share_key(
+           "broken_share", "0.005",
+           "Bonds broken in one load step, of all bonds of the bodies that can move, that make it a dynamic event."),
        overload,
        share_key("kinetic_share", "1e-3", "Kinetic energy over stored energy below which the body is at rest."),
        positive_key("quiet_time", "time",

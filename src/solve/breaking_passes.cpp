@@ -34,8 +34,7 @@ void describe(const HandOver::Result& result, double rounding, MotionPhase& row)
 
 LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, NewtonResult& total) {
   const Communicator& ranks = scene_.body().communicator;
-  const auto most =
-      std::max(1LL, static_cast<long long>(deck_.fracture.pass_share * static_cast<double>(breaking_->bonds())));
+  const auto most = std::max(1LL, static_cast<long long>(deck_.fracture.pass_share * static_cast<double>(bonds_)));
   const long long before_step = breaking_->broken();
   for (int pass = 1;; ++pass) {
     const bool too_many = pass > deck_.fracture.max_passes;
@@ -69,8 +68,7 @@ LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, NewtonResult& tot
               fmt::format("a bond is at {:.3g} times its limit, more than hand_over.overload: the crack runs",
                           found.worst)};
     const long long in_step = breaking_->broken() - before_step;
-    if (motion_ &&
-        static_cast<double>(in_step) > deck_.hand_over.broken_share * static_cast<double>(breaking_->bonds()))
+    if (motion_ && static_cast<double>(in_step) > deck_.hand_over.broken_share * static_cast<double>(bonds_))
       return {LostEquilibrium::broken_share,
               fmt::format("{} bonds have broken in one load step, more than hand_over.broken_share", in_step)};
     std::vector<double> guess(committed_.displacement().begin(),
@@ -105,7 +103,7 @@ void LoadStepper::begin_phase(Observer& observer, double t, const Loss& loss, do
   row.reason = loss.reason;
   phase_.row = row;
   observer.phase_begins(row);
-  hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get());
+  hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get(), passage_);
   hand_over_->begin(std::move(committed_), t, patience);
 }
 

@@ -11,19 +11,17 @@ constexpr double margin = 0.5;
 constexpr int most_contacts = 6;
 }  // namespace
 
-Contact::Contact(const mechanics::Scene& scene, const deck::Contact& settings, std::vector<double> spacings)
+Contact::Contact(const mechanics::Scene& scene, const deck::Contact& settings)
     : scene_(scene),
       settings_(settings),
       d_(scene.dimension()),
-      spacings_(std::move(spacings)),
       near_(scene, largest_reach(), margin * largest_reach()) {
   find_stiffness();
 }
 
 double Contact::largest_reach() const {
   double widest = 0;
-  for (LocalIndex i = 0; i < scene_.owned(); ++i)
-    widest = std::max(widest, particle_spacing(scene_.body(), spacings_, i));
+  for (LocalIndex i = 0; i < scene_.owned(); ++i) widest = std::max(widest, scene_.body().spacing_of(i));
   return settings_.distance * scene_.body().communicator.max(widest);
 }
 
@@ -31,7 +29,7 @@ void Contact::find_stiffness() {
   const bonds::Families& families = scene_.families();
   stiffness_.resize(static_cast<std::size_t>(scene_.owned()));
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
-    const double spacing = particle_spacing(scene_.body(), spacings_, i);
+    const double spacing = scene_.body().spacing_of(i);
     const double alpha = d_ * (d_ + 2) * scene_.material(i).elastic_moduli(d_).shear / families.weighted_volume[i];
     stiffness_[i] =
         alpha * bonds::influence_value(families.influence, std::min(spacing, families.horizon), families.horizon);
@@ -42,7 +40,7 @@ void Contact::make_springs() {
   constexpr int count = 3;  // spacing, volume, alpha omega
   std::vector<double> values;
   for (const LocalIndex i : near_.particle()) {
-    const double spacing = particle_spacing(scene_.body(), spacings_, i);
+    const double spacing = scene_.body().spacing_of(i);
     values.insert(values.end(), {spacing, scene_.body().volume[i], stiffness_[i]});
   }
   values = near_.share(std::move(values), count);

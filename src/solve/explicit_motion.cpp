@@ -46,7 +46,7 @@ ExplicitMotion::ExplicitMotion(const mechanics::Scene& scene, const Boundary& bo
   trial_.displacement = committed_.displacement();
   find_held();
   if (settings.contact) {
-    contact_ = std::make_unique<Contact>(scene, *settings.contact, settings.spacings);
+    contact_ = std::make_unique<Contact>(scene, *settings.contact);
     contact_force_.assign(scene.owned_unknowns(), 0.0);
   }
   // A strain of 1e-10 everywhere.

@@ -81,16 +81,4 @@ ExposedParticles find_exposed(const mechanics::Scene& scene) {
   return exposed;
 }
 
-std::vector<double> lattice_spacings(const deck::Deck& deck) {
-  std::vector<double> spacings;
-  for (const deck::BodyPart& part : deck.body)
-    spacings.push_back(std::holds_alternative<deck::CloudFile>(part.shape.form) ? 0 : part.spacing);
-  return spacings;
-}
-
-double particle_spacing(const body::Body& body, const std::vector<double>& spacings, LocalIndex i) {
-  const double spacing = spacings.empty() ? 0 : spacings[static_cast<std::size_t>(body.part[i])];
-  return spacing > 0 ? spacing : body::edge_of(body.volume[i], body.dimension);
-}
-
 }  // namespace perinox::solve

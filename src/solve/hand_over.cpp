@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
-#include "perinox/body/extent.hpp"
 #include "perinox/core/restored.hpp"
 #include "perinox/solve/loose_pieces.hpp"
 #include "perinox/solve/stable_step.hpp"
@@ -22,28 +22,38 @@ constexpr long long between_estimates = 1000;
 constexpr double most_passages = 1000, damping_over_passage = 2;
 }  // namespace
 
-double passage_time(const deck::Deck& deck, const mechanics::Scene& scene) {
+double passage_time(const deck::Deck& deck, const mechanics::Scene& scene, const Parts& parts) {
   const int d = scene.dimension();
-  double slowest = std::numeric_limits<double>::infinity();
+  std::vector<double> speed;
   for (std::size_t m = 0; m < deck.materials.size(); ++m) {
     if (!deck.materials[m].density)
       deck::refuse(deck.materials[m].location,
                    fmt::format("the material {} needs the key density", deck.materials[m].name));
     const materials::ElasticModuli moduli = scene.materials()[m]->elastic_moduli(d);
-    slowest =
-        std::min(slowest, std::sqrt((moduli.bulk + 2 * moduli.shear * (1 - 1.0 / d)) / *deck.materials[m].density));
+    speed.push_back(std::sqrt((moduli.bulk + 2 * moduli.shear * (1 - 1.0 / d)) / *deck.materials[m].density));
   }
-  return std::max(body::diagonal(scene.body()), scene.families().horizon) / slowest;
+  std::vector<double> slowness(parts.count(), 0.0);
+  for (LocalIndex i = 0; i < scene.owned(); ++i) {
+    double& most = slowness[parts.of(i)];
+    most = std::max(most, 1 / speed[static_cast<std::size_t>(scene.body().material[i])]);
+  }
+  scene.body().communicator.max(slowness);
+  const bool any = std::count(parts.moves.begin(), parts.moves.end(), 1) > 0;
+  double longest = 0;
+  for (std::size_t k = 0; k < parts.count(); ++k)
+    if (!any || parts.moves[k])
+      longest = std::max(longest, std::max(parts.diagonal[k], scene.families().horizon) * slowness[k]);
+  return longest;
 }
 
-HandOver::HandOver(const deck::Deck& deck, mechanics::Scene& scene, Boundary& boundary, BondBreaking* breaking)
-    : deck_(deck), scene_(scene), boundary_(boundary), breaking_(breaking), passage_(passage_time(deck, scene)) {}
+HandOver::HandOver(const deck::Deck& deck, mechanics::Scene& scene, Boundary& boundary, BondBreaking* breaking,
+                   double passage)
+    : deck_(deck), scene_(scene), boundary_(boundary), breaking_(breaking), passage_(passage) {}
 
 void HandOver::make_motion(mechanics::Committed&& state, double rate) {
   ExplicitMotion::Settings settings;
   settings.damping = deck_.hand_over.damping.value_or(damping_over_passage / (passage_ * patience_));
   settings.contact = deck_.motion.contact;
-  settings.spacings = lattice_spacings(deck_);
   settings.rate = rate;
   settings.safety = time_step_safety(deck_, scene_);
   motion_ =

@@ -127,11 +127,8 @@ std::string describe(const Overlap& overlap) {
                      overlap.depth, overlap.spacings, overlap.place[0], overlap.place[1], overlap.place[2]);
 }
 
-Interpenetration::Interpenetration(const deck::Deck& deck, const mechanics::Scene& scene)
-    : scene_(scene),
-      spacings_(lattice_spacings(deck)),
-      near_(scene, scene.families().horizon, 0),
-      bonds_version_(scene.bonds_version()) {}
+Interpenetration::Interpenetration(const mechanics::Scene& scene)
+    : scene_(scene), near_(scene, scene.families().horizon, 0), bonds_version_(scene.bonds_version()) {}
 
 std::vector<double> Interpenetration::sides(const std::vector<double>& displacement,
                                             const std::vector<char>& loose) const {
@@ -154,7 +151,7 @@ std::vector<double> Interpenetration::sides(const std::vector<double>& displacem
       mixed += body.volume[j] * y * xi.transpose();
     }
     Side side;
-    side.spacing = !loose.empty() && loose[i] ? 0 : particle_spacing(body, spacings_, i);
+    side.spacing = !loose.empty() && loose[i] ? 0 : body.spacing_of(i);
     const Vector lean = three(near_.exposed().lean[k].data(), 3);
     if (fit(square, mixed, d, side.gradient) && lean.norm() > least_lean) side.normal = -lean.normalized();
     values.push_back(side.spacing);

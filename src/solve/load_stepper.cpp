@@ -7,12 +7,12 @@
 #include <cmath>
 #include <optional>
 
-#include "perinox/body/extent.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/mechanics/path_work.hpp"
 #include "perinox/solve/arc_length.hpp"
 #include "perinox/solve/energy_scale.hpp"
 #include "perinox/solve/loose_pieces.hpp"
+#include "perinox/solve/parts.hpp"
 
 namespace perinox::solve {
 
@@ -41,6 +41,10 @@ LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
       validity_(deck, scene) {
   if (deck.may_move()) motion_.emplace();
   if (deck.breaks()) breaking_ = std::make_unique<BondBreaking>(deck, scene);
+  if (!motion_ && !breaking_) return;
+  const Parts parts = find_parts(scene, boundary_);
+  if (motion_) passage_ = passage_time(deck, scene, parts);
+  bonds_ = moving_bonds(scene, parts);
 }
 
 void LoadStepper::run(Observer& observer) {
@@ -101,17 +105,6 @@ bool LoadStepper::go_down(Observer& observer, double t, NewtonResult& result) {
   return true;
 }
 
-bool LoadStepper::runs_away(const mechanics::Trial& trial) const {
-  if (!scene_.small_strain()) return false;
-  double free = 0, prescribed = 0;
-  for (std::size_t u = 0; u < scene_.owned_unknowns(); ++u) {
-    double& most = boundary_.prescribed()[u] ? prescribed : free;
-    most = std::max(most, std::abs(trial.displacement[u]));
-  }
-  const Communicator& ranks = scene_.body().communicator;
-  return ranks.max(free) > std::max(0.5 * body::diagonal(scene_.body()), 2 * ranks.max(prescribed));
-}
-
 void LoadStepper::begin_step() {
   ++step_;
   passes_ = 0;
@@ -130,7 +123,7 @@ bool LoadStepper::advance(Observer& observer, NewtonResult& result) {
   mechanics::Trial trial;
   std::vector<double> force;
   result = control_->attempt(committed_, step_ + 1, observer, trial, force);
-  if (result.converged && runs_away(trial)) {
+  if (result.converged && scene_.small_strain() && moves_beyond_small(scene_, boundary_, trial.displacement.data())) {
     result.converged = false;
     result.failure = Failure::other;
     result.reason =

@@ -107,7 +107,7 @@ void LoadStepper::restore_phase(StateReader& reader) {
   phase_.total.linear_iterations = restored_count(reader, "phase/linear_iterations");
   phase_.seconds = reader.number("phase/seconds");
   phase_.products = restored_integer(reader, "phase/products", 0, std::numeric_limits<long long>::max());
-  hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get());
+  hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get(), passage_);
   hand_over_->restore(reader);
 }
 

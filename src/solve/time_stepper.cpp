@@ -26,7 +26,6 @@ ExplicitMotion::Settings settings_of(const deck::Deck& deck, const mechanics::Sc
   ExplicitMotion::Settings settings;
   settings.damping = motion.damping;
   settings.contact = motion.contact;
-  settings.spacings = lattice_spacings(deck);
   settings.safety = time_step_safety(deck, scene);
   return settings;
 }
@@ -172,6 +171,7 @@ StepRecord TimeStepper::record(bool written, bool last) {
   motion.damped_energy = energies_.damped;
   motion.contact_energy = energies_.contact;
   row.motion = motion;
+  row.overlap = validity_.overlap();
   if (breaking_) row.fracture = FractureRow{0, breaking_->broken(), energies_.released, 0};
   records_.fill(
       {motion_->committed(), motion_->force().data(), motion_->external().data(), motion_->dilatation().data(),

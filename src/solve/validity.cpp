@@ -10,7 +10,7 @@ Validity::Validity(const deck::Deck& deck, const mechanics::Scene& scene)
     : scene_(scene), flows_(flows_finitely(scene)) {
   if (!deck.may_overlap()) return;
   always_ = (!deck.bond_bodies && deck.body.size() > 1) || scene.body().communicator.sum(scene.families().cut) > 0;
-  faces_ = std::make_unique<Interpenetration>(deck, scene);
+  faces_ = std::make_unique<Interpenetration>(scene);
   overlap_ = 0;
 }
 

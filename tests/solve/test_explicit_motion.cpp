@@ -328,7 +328,6 @@ steps: {end: 1, count: 1}
   const solve::Boundary boundary(deck, scene);
   solve::ExplicitMotion::Settings settings;
   settings.contact = deck.motion.contact;
-  settings.spacings = solve::lattice_spacings(deck);
   solve::ExplicitMotion motion(scene, boundary, solve::particle_masses(deck, scene), mechanics::Committed(scene),
                                settings);
   motion.set_velocity(deck.initial_velocity);
@@ -380,7 +379,6 @@ steps: {end: 1, count: 1}
   solve::ExplicitMotion::Settings settings;
   settings.damping = deck.motion.damping;
   settings.contact = deck.motion.contact;
-  settings.spacings = solve::lattice_spacings(deck);
   const auto begin = [&] {
     return solve::ExplicitMotion(scene, boundary, solve::particle_masses(deck, scene), mechanics::Committed(scene),
                                  settings);

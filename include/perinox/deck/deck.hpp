@@ -235,8 +235,8 @@ struct Deck {
   bool breaks() const;
   /// True where the run is explicit or may come to be.
   bool may_move() const;
-  /// True where a run in load steps has faces, of cracks or of bodies that are not bonded, with nothing to keep them
-  /// apart.
+  /// True where a run has faces, of cracks or of bodies that are not bonded, with nothing to keep them apart: every run
+  /// but an explicit one with contact.
   bool may_overlap() const;
 
   /// The checked deck with all defaults, from which deck.resolved.yaml is written.

@@ -9,15 +9,15 @@ namespace perinox::solve {
 
 /// Short-range repulsion of particles that share no intact bond. Two of them at a distance r below their reach
 ///     r_c = distance (h_i + h_j)/2, or their distance in the undeformed body where that is less,
-/// h being particle_spacing(), have the energy k (r_c - r)^2/2, k = stiffness V_i V_j (alpha_i omega(h_i) + alpha_j
+/// h being Body::spacing_of(), have the energy k (r_c - r)^2/2, k = stiffness V_i V_j (alpha_i omega(h_i) + alpha_j
 /// omega(h_j)), `stiffness` times what a bond of one spacing between the two would have: central forces, equal and
 /// opposite to the last bit.
 ///
 /// Looked at are exposed particles only. Where two ranks have a pair, either works out the force on its own particle.
 class Contact {
  public:
-  /// spacings: of each of the deck's bodies, as of lattice_spacings(). Collective.
-  Contact(const mechanics::Scene& scene, const deck::Contact& settings, std::vector<double> spacings);
+  /// Collective.
+  Contact(const mechanics::Scene& scene, const deck::Contact& settings);
 
   /// Adds the forces at displacement [at least owned * dimension] to force [owned * dimension]; returns this rank's
   /// share of the energy: half of a pair's that two ranks have. Collective.
@@ -48,7 +48,6 @@ class Contact {
   const mechanics::Scene& scene_;
   deck::Contact settings_;
   int d_;
-  std::vector<double> spacings_;   ///< [bodies of the deck]
   std::vector<double> stiffness_;  ///< [owned] alpha omega
   ExposedPairs near_;
   std::vector<Spring> springs_;  ///< [pairs of near_]

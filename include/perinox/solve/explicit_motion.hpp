@@ -44,7 +44,6 @@ class ExplicitMotion {
   struct Settings {
     double damping = 0;                    ///< mass-proportional, 1/time
     std::optional<deck::Contact> contact;  ///< none: bodies go through each other
-    std::vector<double> spacings;          ///< of each of the deck's bodies, for contact (lattice_spacings)
     double rate = 1;                       ///< of the load parameter t over time; 0: loads held
     double safety = 0.8;                   ///< of stable_time_step
   };

@@ -16,10 +16,4 @@ struct ExposedParticles {
 };
 ExposedParticles find_exposed(const mechanics::Scene& scene);
 
-/// Lattice spacing of each of the deck's bodies; 0 for a cloud.
-std::vector<double> lattice_spacings(const deck::Deck& deck);
-/// Distance of particle i from its neighbours, length: that of its own lattice, which does not go by the part of a cell
-/// that i stands for; V^(1/d) in a cloud. spacings: of each of the deck's bodies; empty: all are clouds.
-double particle_spacing(const body::Body& body, const std::vector<double>& spacings, LocalIndex i);
-
 }  // namespace perinox::solve

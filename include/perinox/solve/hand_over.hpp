@@ -8,19 +8,22 @@
 #include "perinox/solve/bond_breaking.hpp"
 #include "perinox/solve/boundary.hpp"
 #include "perinox/solve/explicit_motion.hpp"
+#include "perinox/solve/parts.hpp"
 #include "perinox/solve/record.hpp"
 
 namespace perinox::solve {
 
-/// Time that the slowest material's dilatational wave takes through the body's bounding box, corner to corner.
-/// Collective. Throws InputError at a material without a density.
-double passage_time(const deck::Deck& deck, const mechanics::Scene& scene);
+/// Time that the dilatational wave of a part's slowest material takes through the part's bounding box, corner to
+/// corner, or through one horizon if that is longer: the longest of all parts that move. Collective. Throws InputError
+/// at a material without a density.
+double passage_time(const deck::Deck& deck, const mechanics::Scene& scene, const Parts& parts);
 
 /// Carries a scene whose equilibrium is lost through time, damped, until it is at rest: kinetic energy below
 /// hand_over.kinetic_share of the largest stored energy of the phase, and no bond broken for hand_over.quiet_time.
 class HandOver {
  public:
-  HandOver(const deck::Deck& deck, mechanics::Scene& scene, Boundary& boundary, BondBreaking* breaking);
+  /// passage: time in which a load step is made up for, passage_time() of the scene before any bond broke.
+  HandOver(const deck::Deck& deck, mechanics::Scene& scene, Boundary& boundary, BondBreaking* breaking, double passage);
 
   struct Result {
     bool at_rest = false;

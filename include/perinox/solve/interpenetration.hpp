@@ -33,7 +33,7 @@ std::string describe(const Overlap& overlap);
 /// have no normal: the distance of the two is looked at. With small strain normals do not turn.
 class Interpenetration {
  public:
-  Interpenetration(const deck::Deck& deck, const mechanics::Scene& scene);
+  explicit Interpenetration(const mechanics::Scene& scene);
 
   /// The deepest overlap at displacement [local * dimension], ghosts up to date; loose: [owned] or empty, particles
   /// that are out of the model. Collective.
@@ -43,7 +43,6 @@ class Interpenetration {
   std::vector<double> sides(const std::vector<double>& displacement, const std::vector<char>& loose) const;
 
   const mechanics::Scene& scene_;
-  std::vector<double> spacings_;
   ExposedPairs near_;
   std::uint64_t bonds_version_;
 };

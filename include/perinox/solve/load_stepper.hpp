@@ -83,9 +83,6 @@ class LoadStepper {
  private:
   std::unique_ptr<StepControl> make_control();
   void begin_step();
-  /// True where what is free has moved farther than `deformation: small` can mean: half the body, and not because it
-  /// was prescribed.
-  bool runs_away(const mechanics::Trial& trial) const;
   /// followed: equilibrium was kept on the way from the committed state, which flow may have bent.
   void commit(mechanics::Trial&& trial, std::vector<double>&& force, bool followed = false);
   /// written: the fields that cost something are made too.
@@ -142,6 +139,8 @@ class LoadStepper {
   int passes_ = 0;                       ///< of the step at hand
   std::optional<MotionRow> motion_;      ///< where the run may go on in time
   std::unique_ptr<HandOver> hand_over_;  ///< while the run goes on in time
+  double passage_ = 0;                   ///< passage_time() before any bond broke
+  long long bonds_ = 0;                  ///< moving_bonds() before any bond broke
   struct Phase {
     MotionPhase row;     ///< number: phases so far
     NewtonResult total;  ///< of the step up to its beginning

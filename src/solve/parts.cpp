@@ -1,0 +1,53 @@
+#include "perinox/solve/parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "perinox/body/extent.hpp"
+
+namespace perinox::solve {
+
+Parts find_parts(const mechanics::Scene& scene, const Boundary& boundary) {
+  Parts parts;
+  parts.components = bonds::connected_components(scene.body(), scene.bond_graph());
+  parts.diagonal = body::diagonals(scene.body(), parts.components.of, parts.components.count());
+  std::vector<double> moves(parts.count(), 0.0);
+  const auto d = static_cast<std::size_t>(scene.dimension());
+  for (std::size_t u = 0; u < scene.owned_unknowns(); ++u)
+    if (!boundary.prescribed()[u]) moves[parts.of(static_cast<LocalIndex>(u / d))] = 1;
+  scene.body().communicator.max(moves);
+  for (const double any : moves) parts.moves.push_back(any > 0 ? 1 : 0);
+  return parts;
+}
+
+long long moving_bonds(const mechanics::Scene& scene, const Parts& parts) {
+  const bool any = std::count(parts.moves.begin(), parts.moves.end(), 1) > 0;
+  long long directed = 0;
+  for (LocalIndex i = 0; i < scene.owned(); ++i)
+    if (!any || parts.moves[parts.of(i)]) directed += scene.families().size[i];
+  return scene.body().communicator.sum(directed) / 2;
+}
+
+bool moves_beyond_small(const mechanics::Scene& scene, const Boundary& boundary, const double* displacement) {
+  const Communicator& ranks = scene.body().communicator;
+  double farthest = 0;
+  for (std::size_t u = 0; u < scene.owned_unknowns(); ++u)
+    if (!boundary.prescribed()[u]) farthest = std::max(farthest, std::abs(displacement[u]));
+  // No part that resists a load is smaller than the horizon, so that the parts need not be found for a usual step.
+  if (ranks.max(farthest) <= 0.5 * scene.families().horizon) return false;
+  const Parts parts = find_parts(scene, boundary);
+  const auto d = static_cast<std::size_t>(scene.dimension());
+  std::vector<double> free(parts.count(), 0.0), prescribed(parts.count(), 0.0);
+  for (std::size_t u = 0; u < scene.owned_unknowns(); ++u) {
+    const std::size_t k = parts.of(static_cast<LocalIndex>(u / d));
+    double& most = boundary.prescribed()[u] ? prescribed[k] : free[k];
+    most = std::max(most, std::abs(displacement[u]));
+  }
+  ranks.max(free);
+  ranks.max(prescribed);
+  for (std::size_t k = 0; k < parts.count(); ++k)
+    if (free[k] > std::max(0.5 * parts.diagonal[k], 2 * prescribed[k])) return true;
+  return false;
+}
+
+}  // namespace perinox::solve
