@@ -73,10 +73,14 @@ std::vector<Particle> generate(const deck::Deck& deck, int part, GlobalId first_
   }
   const auto count = static_cast<long long>(particles.size());
   if (communicator.sum(count) == 0) {
-    deck::refuse(body.shape.location,
-                 fmt::format("the body {} has no particles: none of the {} x {} x {} centres of "
-                             "its lattice is inside its shape; make the spacing smaller than {:g}",
-                             body.name, lattice.cells[0], lattice.cells[1], lattice.cells[2], lattice.spacing));
+    deck::refuse(
+        body.shape.location,
+        fmt::format("the body {} has no particles: none of the {} x {} x {} centres of its lattice is inside its "
+                    "shape{}",
+                    body.name, lattice.cells[0], lattice.cells[1], lattice.cells[2],
+                    body.as_written ? ", without what later bodies take of it (overlap: later-wins); put the "
+                                      "body after those that it is to displace"
+                                    : fmt::format("; make the spacing smaller than {:g}", lattice.spacing)));
   }
   GlobalId id = first_id + communicator.exclusive_scan(count);
   for (Particle& particle : particles) particle.id = id++;

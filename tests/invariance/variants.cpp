@@ -122,6 +122,7 @@ Variant turned(const DeckText& deck, int dimension, Lot& lot, const std::string&
 std::optional<Variant> reordered(const DeckText& deck) {
   YAML::Node root = YAML::Load(deck.yaml);
   if (root["body"].size() < 2) return std::nullopt;
+  if (root["overlap"] && root["overlap"].as<std::string>() == "later-wins") return std::nullopt;  // the order is meant
   root["body"] = reversed_list(root["body"]);
   root["materials"] = reversed_map(root["materials"]);
   if (root["sets"]) root["sets"] = reversed_map(root["sets"]);
