@@ -87,9 +87,10 @@ materials: {m: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3}}
   const auto [c, d] = volumes(other, block);
   EXPECT_NEAR(c, 120 - 90, 1e-9);
   EXPECT_NEAR(d, 500, 1e-9);
-  EXPECT_THAT(refusal([&] { volumes("{box: {min: [4, 2, 1], max: [8, 7, 4]}}", block); }),
-              HasSubstr("the body a has no particles: none of the 4 x 5 x 3 centres of its lattice is inside its shape, "
-                        "without what later bodies take of it (overlap: later-wins)"));
+  EXPECT_THAT(
+      refusal([&] { volumes("{box: {min: [4, 2, 1], max: [8, 7, 4]}}", block); }),
+      HasSubstr("the body a has no particles: none of the 4 x 5 x 3 centres of its lattice is inside its shape, "
+                "without what later bodies take of it (overlap: later-wins)"));
 }
 
 }  // namespace
