@@ -31,12 +31,31 @@ def points_of(reader, time):
     return data
 
 
+def components_of(file, step, said):
+    """The columns of every tensor of a step under the names that the readers have to show."""
+    named = {}
+    plane = file.attrs["dimension"] == 2
+    for name, dataset in file["steps"][str(step)].items():
+        if dataset.ndim != 2 or dataset.shape[1] != 9:
+            continue
+        for i, a in enumerate("xyz"):
+            for j, b in enumerate("xyz"):
+                if j < i or (plane and i != j and b == "z"):
+                    continue
+                named[f"{name}_{a}{b}"] = dataset[:, 3 * i + j]
+    views = set(file["components"][str(step)]) if named else set()
+    if views != set(named):
+        said.append(f"step {step}: results.h5 has the components {sorted(views)}, not {sorted(named)}")
+    return named
+
+
 def compare_step(kind, data, reader, file, step, said):
     places = dataset_adapter.WrapDataObject(data)
     if not np.array_equal(np.asarray(places.Points), file["particles/reference"][:]):
         said.append(f"{kind}, step {step}: the points stand elsewhere")
     fields = dict(file["steps"][str(step)].items())
     fields.update({name: file["particles"][name] for name in ("volume", "block")})
+    fields.update(components_of(file, step, said))
     for name, dataset in fields.items():
         wanted = dataset[:]
         array = data.GetPointData().GetArray(name)

@@ -134,6 +134,21 @@ void ParallelFile::write_rows(const std::string& dataset, const std::vector<Glob
   write_table(dataset, values.data(), static_cast<int>(values.size()), total, first, 0, H5T_NATIVE_LLONG);
 }
 
+void ParallelFile::make_view(const std::string& view, const std::string& dataset, GlobalId total, int columns,
+                             int column) {
+  const Silence silence;
+  const auto extent = shape(total, columns);
+  const Handle all(H5Screate_simple(2, extent.data(), nullptr), H5Sclose);
+  const std::array<hsize_t, 2> start = {0, static_cast<hsize_t>(column)}, count = {static_cast<hsize_t>(total), 1};
+  H5Sselect_hyperslab(all, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
+  const Handle space(H5Screate_simple(1, count.data(), nullptr), H5Sclose);
+  const Handle mapped(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_virtual(mapped, space, ".", dataset.c_str(), all);  // ".": of the same file, whatever its name is
+  const Handle table(H5Dcreate2(file_, view.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, mapped, H5P_DEFAULT),
+                     H5Dclose);
+  agree(table.failed(), "refuses the dataset " + view);
+}
+
 void ParallelFile::read_table(const std::string& dataset, void* values, int rows, GlobalId total, GlobalId first,
                               int columns, std::int64_t type) const {
   const Silence silence;

@@ -33,7 +33,21 @@ std::vector<double> columns_of_file(const double* values, std::size_t points, in
   return wide;
 }
 
-constexpr double header_room = 64 * 1024;  ///< bytes for HDF5's own bookkeeping of a step
+/// Components of a symmetric tensor that have a name of their own, and their columns in the file. In 2-D those across
+/// the plane are zero.
+struct NamedColumn {
+  const char* name;
+  int column;
+  bool in_plane;
+};
+constexpr NamedColumn named_columns[] = {{"xx", 0, true}, {"xy", 1, true},  {"xz", 2, false},
+                                         {"yy", 4, true}, {"yz", 5, false}, {"zz", 8, true}};
+
+std::string view_of(long long step, const std::string& field, const std::string& component) {
+  return fmt::format("/components/{}/{}_{}", step, field, component);
+}
+
+constexpr double header_room = 128 * 1024;  ///< bytes for HDF5's own bookkeeping of a step
 
 /// HDF5 rewrites its table of contents in place, in some milliseconds: a run killed in them loses the file. Of small
 /// files, whose steps are short too, a copy is added to and renamed; large ones are spared the copy, and their steps
@@ -89,7 +103,12 @@ ResultsFile::ResultsFile(std::string directory, const std::string& title, const 
   if (!later.steps.empty() || !later.phases.empty()) {
     const std::string written = copy_if_small();
     ParallelFile file(written, communicator_, ParallelFile::Mode::append);
-    for (const long long step : later.steps) file.remove(fmt::format("/steps/{}", step));
+    const bool named = file.has("/components");
+    for (const long long step : later.steps) {
+      file.remove(fmt::format("/steps/{}", step));
+      const std::string components = fmt::format("/components/{}", step);
+      if (named && file.has(components)) file.remove(components);
+    }
     for (const long long phase : later.phases) file.remove(fmt::format("/phases/{}", phase));
     file.close();
     rename_copy(written);
@@ -119,7 +138,11 @@ ResultsFile::Later ResultsFile::look_back(Continue kept, const std::vector<std::
       const int columns = file.columns(step.number, field);
       if (columns == 6)
         throw RunError(fmt::format("{} has six columns of {}, as an earlier version wrote tensors", path_, field));
-      if (columns > 0) shapes.push_back({field, columns == 1 ? 0 : columns});
+      if (columns <= 0) continue;
+      shapes.push_back({field, columns == 1 ? 0 : columns});
+      for (const NamedColumn& column : named_columns)
+        if (columns == 9 && file.has(view_of(step.number, field, column.name)))
+          shapes.back().named.emplace_back(column.name);
     }
     index_.add_step(step.number, step.t, shapes);
   }
@@ -189,6 +212,7 @@ void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve
     else
       file.write_rows(name, rows, order_.total(), order_.first_row());
     shapes.push_back({field.name, width});
+    if (width == 9) shapes.back().named = name_components(file, record.step, field.name);
   }
   file.close();
   rename_copy(written);
@@ -199,6 +223,20 @@ void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve
     sentence = replace_file(directory_ + "/results.xdmf", index_.text());
   }
   agree_on_run_error(communicator_, sentence);
+}
+
+std::vector<std::string> ResultsFile::name_components(ParallelFile& file, int step, const std::string& field) const {
+  std::vector<std::string> names;
+  if (!file.has("/components")) file.make_group("/components");
+  const std::string group = fmt::format("/components/{}", step);
+  if (!file.has(group)) file.make_group(group);
+  for (const NamedColumn& column : named_columns) {
+    if (dimension_ == 2 && !column.in_plane) continue;
+    file.make_view(view_of(step, field, column.name), fmt::format("/steps/{}/{}", step, field), order_.total(), 9,
+                   column.column);
+    names.emplace_back(column.name);
+  }
+  return names;
 }
 
 void ResultsFile::write(const solve::MotionPhase& phase) {

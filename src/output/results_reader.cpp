@@ -58,6 +58,15 @@ std::vector<std::string> ResultsReader::names_in(const std::string& where) const
   return names;
 }
 
+// Every link of the way has to be there before HDF5 may be asked for the next.
+bool ResultsReader::has(const std::string& object) const {
+  const Silence silence;
+  for (std::size_t end = object.find('/', 1);; end = object.find('/', end + 1)) {
+    if (H5Lexists(file_, object.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+    if (end == std::string::npos) return true;
+  }
+}
+
 std::vector<std::string> ResultsReader::fields(int step) const { return names_in(fmt::format("/steps/{}", step)); }
 
 std::vector<ResultsReader::Step> ResultsReader::steps() const {

@@ -62,10 +62,16 @@ void XdmfIndex::add_step(int step, double t, const std::vector<FieldShape>& fiel
       "        </Topology>\n        <Geometry GeometryType=\"XYZ\">\n          {4}\n        </Geometry>\n",
       step, t, particles_, item(h5_name_, "/particles/id", particles_, 0, true, 8),
       item(h5_name_, "/particles/reference", particles_, 3, false, 8));
-  for (const FieldShape& field : fields)
+  for (const FieldShape& field : fields) {
     steps_ +=
         attribute(field.name, field.columns,
                   item(h5_name_, fmt::format("/steps/{}/{}", step, field.name), particles_, field.columns, false, 8));
+    for (const std::string& component : field.named) {
+      const std::string name = field.name + "_" + component;
+      steps_ +=
+          attribute(name, 0, item(h5_name_, fmt::format("/components/{}/{}", step, name), particles_, 0, false, 8));
+    }
+  }
   steps_ += attribute("block", 0, item(h5_name_, "/particles/block", particles_, 0, true, 4));
   steps_ += attribute("volume", 0, item(h5_name_, "/particles/volume", particles_, 0, false, 8));
   steps_ += "      </Grid>\n";

@@ -1,8 +1,10 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
 #include <csignal>
 #include <filesystem>
+#include <map>
 #include <regex>
 
 #include "perinox/core/error.hpp"
@@ -101,6 +103,43 @@ TEST_P(ResultsFileTest, TensorsHaveNineColumns) {
                         "Dimensions=\"101 9\" NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">"
                         "results.h5:/steps/0/stress</DataItem>"));
   EXPECT_EQ(xml.find("Tensor6"), std::string::npos);
+}
+
+/// A component is a field of its own for readers, though its numbers are there once.
+TEST_P(ResultsFileTest, ComponentsOfTensorsHaveNames) {
+  const int dimension = GetParam();
+  const body::Body body = test::shuffled_body(one_rank_, total, dimension);
+  const auto stress = field_values(body, 5, 6), strain = field_values(body, 7, 6);
+  const std::vector<solve::Field> fields{{"stress", 6, stress.data()}, {"strain", 6, strain.data()}};
+  std::string h5;
+  {
+    ResultsFile results(directory_.path(), "", {"block"}, body);
+    results.write(test::step_record(0, 0), fields);
+    results.write(test::step_record(1, 0.5), fields);
+    h5 = results.path();
+  }
+  const std::map<std::string, int> components =
+      dimension == 3 ? std::map<std::string, int>{{"xx", 0}, {"xy", 1}, {"xz", 2}, {"yy", 3}, {"yz", 4}, {"zz", 5}}
+                     : std::map<std::string, int>{{"xx", 0}, {"xy", 1}, {"yy", 3}, {"zz", 5}};
+  const auto expect = [&](int steps) {
+    const ParallelFile file(h5, one_rank_, ParallelFile::Mode::read);
+    const std::string xml = test::file_text(directory_ / "results.xdmf");
+    for (int step = 0; step < steps; ++step)
+      for (const auto& [name, place] : components) {
+        const std::string view = fmt::format("/components/{}/strain_{}", step, name);
+        const auto values = file.read_rows(view, total, 0, total);
+        for (GlobalId row = 0; row < total; ++row)
+          EXPECT_EQ(values[static_cast<std::size_t>(row)], value_of(row, 7, place));
+        EXPECT_THAT(xml, HasSubstr("<Attribute Name=\"strain_" + name + "\" AttributeType=\"Scalar\""));
+        EXPECT_THAT(xml, HasSubstr("results.h5:" + view + "</DataItem>"));
+      }
+    EXPECT_EQ(file.has("/components/0/strain_xz"), dimension == 3);
+    EXPECT_FALSE(file.has(fmt::format("/components/{}", steps)));
+    EXPECT_EQ(xml.find(fmt::format("/components/{}/", steps)), std::string::npos);
+  };
+  expect(2);
+  { const ResultsFile after_a_restart(directory_.path(), "", {"stress", "strain"}, body, ResultsFile::Continue{0, 0}); }
+  expect(1);
 }
 
 TEST_F(ResultsFileTest, AFileWithTensorsOfSixColumnsIsNotGoneOnWith) {

@@ -36,6 +36,9 @@ class ParallelFile {
                   int columns = 0);
   void write_rows(const std::string& dataset, const std::vector<int>& values, GlobalId total, GlobalId first);
   void write_rows(const std::string& dataset, const std::vector<GlobalId>& values, GlobalId total, GlobalId first);
+  /// A column of a dataset [total, columns] under a name of its own, as a dataset [total] that holds no numbers: HDF5's
+  /// readers see those of the column (virtual dataset).
+  void make_view(const std::string& view, const std::string& dataset, GlobalId total, int columns, int column);
   /// This rank's rows of a dataset of `total` rows; another shape is a RunError.
   std::vector<double> read_rows(const std::string& dataset, GlobalId total, GlobalId first, int rows,
                                 int columns = 0) const;

@@ -9,6 +9,8 @@
 
 namespace perinox::output {
 
+class ParallelFile;
+
 /// `results.h5`, written by all ranks together (parallel HDF5), rows in ascending particle id whatever the number of
 /// ranks, and `results.xdmf` beside it. Each step opens the file, appends and closes it: between steps the file on disk
 /// is complete and readable, and a killed run leaves the steps before. Layout: docs/results.md.
@@ -31,8 +33,9 @@ class ResultsFile {
               const body::Body& body, Continue kept);
 
   /// Group /steps/<record.step> with the attributes t, load (the same number), newton_iterations, linear_iterations and
-  /// one dataset a field: [n, 3] for vectors (2-D: third column zero), [n] for scalars. Collective. Throws RunError if
-  /// the disk refuses; the room is reserved first, so that a full disk leaves the earlier steps whole.
+  /// one dataset a field: [n, 3] for vectors (2-D: third column zero), [n, 9] for tensors, [n] for scalars; and of
+  /// every tensor its components as views /components/<record.step>/<field>_xx and so on. Collective. Throws RunError
+  /// if the disk refuses; the room is reserved first, so that a full disk leaves the earlier steps whole.
   void write(const solve::StepRecord& record, const std::vector<solve::Field>& fields);
 
   /// Group /phases/<phase.number>, attributes alone: a phase in time of a run that lost its equilibrium. Collective.
@@ -50,6 +53,8 @@ class ResultsFile {
   };
   /// Rank 0: fills the index with the steps that stay, returns the others.
   Later look_back(Continue kept, const std::vector<std::string>& fields);
+  /// Gives the components of a tensor of a step names of their own in `file`; which.
+  std::vector<std::string> name_components(ParallelFile& file, int step, const std::string& field) const;
   /// Reserves room for so many numbers at the end of a file, or RunError on every rank.
   void require_room(double numbers, const std::string& path) const;
   /// The file to be added to: a copy, which rename_copy() puts in the place of the file, or the file.

@@ -36,6 +36,7 @@ class ResultsReader {
   std::vector<Step> steps() const;
   /// Phases in time of a run that lost its equilibrium, in the order of their numbers.
   std::vector<Phase> phases() const;
+  bool has(const std::string& object) const;
   /// Names of the fields of a step.
   std::vector<std::string> fields(int step) const;
   /// 3 of a vector, 1 of a scalar, 0 if the step holds no such field.

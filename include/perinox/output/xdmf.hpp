@@ -13,6 +13,9 @@ class XdmfIndex {
   struct FieldShape {
     std::string name;
     int columns = 0;  ///< 0: [n]; 3: vectors [n, 3]; 9: tensors, row by row, [n, 9]
+    /// Of a tensor those components that are datasets /components/<step>/<name>_<component> too: readers number nine
+    /// columns and do not name them.
+    std::vector<std::string> named{};
   };
   /// Of a field of so many components. 2-D vectors are written with three, and symmetric tensors with all nine: readers
   /// do not agree on the order of six (docs/results.md).
