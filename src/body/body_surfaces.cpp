@@ -1,5 +1,6 @@
 #include "body_surfaces.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "perinox/body/shape_intervals.hpp"
@@ -25,6 +26,10 @@ BodySurfaces::BodySurfaces(const deck::Deck& deck, int dimension, const std::opt
     solids_.push_back(std::holds_alternative<deck::CloudFile>(part.shape.form)
                           ? nullptr
                           : std::make_unique<Solid>(solid_of(part.shape, dimension)));
+  constexpr double in_its_plane = 1e-9;  // of the spacing
+  double finest = deck.body.front().spacing;
+  for (const deck::BodyPart& part : deck.body) finest = std::min(finest, part.spacing);
+  for (const deck::Crack& crack : deck.cracks) cracks_.emplace_back(crack, in_its_plane * finest);
 }
 
 CutCells& BodySurfaces::cells(int part) {
@@ -33,13 +38,24 @@ CutCells& BodySurfaces::cells(int part) {
   return *cells;
 }
 
-std::vector<Facet> BodySurfaces::facets(int part, const CutCells::Cell& cell) {
+std::vector<Facet> BodySurfaces::facets(int part, const CutCells::Cell& cell, const std::optional<Solid>& of) {
   CutCells& mine = cells(part);
   FacetQuery query{mine.box(cell), mine.tolerance(), {}, facing_};
   if (deck_.bond_bodies)
     for (std::size_t other = 0; other < solids_.size(); ++other)
       if (static_cast<int>(other) != part && solids_[other]) query.others.push_back(solids_[other].get());
-  return facets_in(mine.solid(), query);
+  return facets_in(of ? *of : mine.solid(), query);
+}
+
+bool BodySurfaces::cracked(const deck::Point& a, const deck::Point& b) const {
+  return std::any_of(cracks_.begin(), cracks_.end(), [&](const CrackSurface& crack) { return crack.cuts(a, b); });
+}
+
+bool BodySurfaces::joined(int part, const deck::Point& a, int other, const deck::Point& b) {
+  if (cracked(a, b)) return false;
+  Intervals inside = intervals_inside(cells(part).solid(), a, b);
+  if (other != part) inside = unite(inside, intervals_inside(cells(other).solid(), a, b));
+  return norm(minus(b, a)) * (1 - length(inside)) <= bridged_gap * cells(part).spacing();
 }
 
 BodySurfaces::Exit BodySurfaces::exit(int part, const deck::Point& particle, int axis, int side) {

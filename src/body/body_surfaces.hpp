@@ -6,6 +6,7 @@
 
 #include "facets.hpp"
 #include "perinox/body/body.hpp"
+#include "perinox/body/crack_surface.hpp"
 #include "perinox/body/cut_cells.hpp"
 
 namespace perinox::body {
@@ -17,8 +18,12 @@ class BodySurfaces {
   BodySurfaces(const deck::Deck& deck, int dimension, const std::optional<deck::Point>& facing);
 
   CutCells& cells(int part);
-  /// Of the part's shape in one of its cells.
-  std::vector<Facet> facets(int part, const CutCells::Cell& cell);
+  /// Of the part's shape in one of its cells. of: of this piece of the shape only.
+  std::vector<Facet> facets(int part, const CutCells::Cell& cell, const std::optional<Solid>& of = std::nullopt);
+  /// True where no gap and no pre-crack is between two particles: the straight line between them leaves the bodies by
+  /// no more than bridged_gap.
+  bool joined(int part, const deck::Point& a, int other, const deck::Point& b);
+  bool cracked(const deck::Point& a, const deck::Point& b) const;
 
   /// Where the straight line out of a particle along an axis (side: 1 or -1) leaves the body's shape.
   struct Exit {
@@ -33,6 +38,7 @@ class BodySurfaces {
   std::optional<deck::Point> facing_;
   std::map<int, std::unique_ptr<CutCells>> cells_;
   std::vector<std::unique_ptr<Solid>> solids_;  ///< of each part; null for a point cloud
+  std::vector<CrackSurface> cracks_;
 };
 
 }  // namespace perinox::body

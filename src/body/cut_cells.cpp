@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "arrangement.hpp"
+#include "cell_pieces.hpp"
 #include "perinox/body/shape.hpp"
+#include "perinox/body/shape_intervals.hpp"
 #include "solid_volume.hpp"
 #include "vectors.hpp"
 
@@ -85,37 +87,83 @@ double CutCells::inside(const Cell& cell) {
   return found->second;
 }
 
-std::vector<CutCells::Cell> CutCells::owners(const Cell& cell) const {
-  std::vector<Cell> nearest;
-  long long least = 4;
-  around(cell, [&](const Cell& other, long long square) {
-    if (square > least || !kept(other)) return;
-    if (square < least) nearest.clear();
-    least = square;
-    nearest.push_back(other);
-  });
-  return nearest;
+const std::vector<CutCells::Piece>& CutCells::pieces(const Cell& cell) {
+  const auto [found, fresh] = pieces_.try_emplace(key(cell));
+  if (fresh) found->second = divide(cell);
+  return found->second;
 }
 
-double CutCells::share_of(const Cell& own, const Cell& other) const {
-  const std::vector<Cell> whose = owners(other);
-  return std::find(whose.begin(), whose.end(), own) == whose.end() ? 0 : 1 / static_cast<double>(whose.size());
+std::vector<CutCells::Piece> CutCells::divide(const Cell& cell) {
+  const CellBox here = box(cell);
+  const double bridged = bridged_gap * lattice_.spacing;
+  std::vector<CellPiece> found(1);
+  if (where(solid_, here) == Where::cut) found = pieces_in(solid_, here, bridged);
+  std::vector<Piece> pieces;
+  double sum = 0;
+  for (CellPiece& one : found) {
+    pieces.push_back({std::move(one.solid), 0, {}});
+    pieces.back().inside = pieces.back().solid ? share_inside(*pieces.back().solid, here) : inside(cell);
+    sum += pieces.back().inside;
+  }
+  // What the surfaces do not divide rightly stays together.
+  constexpr double rounding = 1e-9;
+  if (std::abs(sum - inside(cell)) > rounding) {
+    pieces.assign(1, {std::nullopt, inside(cell), {}});
+    found.assign(1, {});
+  }
+  const bool own = found.size() == 1 && kept(cell);
+  // Near a convex corner no gap is between anything.
+  const bool anywhere = own || reduced(solid_, box_around(cell)).kind == Solid::Kind::convex;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    if (found[k].samples.empty() && !anywhere) found[k].samples = samples_in(solid_, here);
+    pieces[k].owners = own ? std::vector<std::pair<Cell, double>>{{cell, 1.0}}
+                           : owners(cell, anywhere ? std::vector<deck::Point>{} : found[k].samples);
+  }
+  return pieces;
 }
 
-bool CutCells::deep(const Cell& cell) const {
+std::vector<std::pair<CutCells::Cell, double>> CutCells::owners(const Cell& cell,
+                                                                const std::vector<deck::Point>& samples) const {
+  std::vector<std::pair<long long, Cell>> near;
+  const auto look = [&](const Cell& other, long long square) {
+    if (kept(other)) near.emplace_back(square, other);
+  };
+  look(cell, 0);
+  around(cell, look);
+  std::sort(near.begin(), near.end());
+  const double bridged = bridged_gap * lattice_.spacing;
+  const auto equal_shares = [&](bool any) {
+    std::vector<std::pair<Cell, double>> owners;
+    long long least = 4;
+    for (const auto& [square, other] : near) {
+      if (square > least) break;
+      if (!any && !joined(samples, solid_, center(other), bridged)) continue;
+      least = square;
+      owners.emplace_back(other, 1);
+    }
+    for (auto& owner : owners) owner.second /= static_cast<double>(owners.size());
+    return owners;
+  };
+  std::vector<std::pair<Cell, double>> owners = equal_shares(samples.empty());
+  return owners.empty() ? equal_shares(true) : owners;
+}
+
+CellBox CutCells::box_around(const Cell& cell) const {
   CellBox near = box(cell);
   for (std::size_t c = 0; c < static_cast<std::size_t>(lattice_.dimension); ++c) {
     near.lo[c] -= lattice_.spacing;
     near.hi[c] += lattice_.spacing;
   }
-  return where(solid_, near) == Where::inside;
+  return near;
 }
+
+bool CutCells::deep(const Cell& cell) const { return where(solid_, box_around(cell)) == Where::inside; }
 
 double CutCells::volume(const Cell& cell) {
   if (deep(cell)) return 1;
-  double volume = std::max(inside(cell), least_volume);
-  owned_around(cell, [&](const Cell& other, double share) { volume += share * inside(other); });
-  return volume;
+  double volume = 0;
+  visit_owned(cell, [&](const Cell&, const Piece& piece, double share) { volume += share * piece.inside; });
+  return std::max(volume, least_volume);
 }
 
 void CutCells::find_far() {
@@ -145,9 +193,13 @@ void CutCells::find_far(const Cell& lo, const Cell& hi) {
     find_far(above, hi);
     return;
   }
-  if (kept(lo) || !owners(lo).empty() || inside(lo) == 0) return;
-  const std::vector<Cell> nearest = nearest_kept(lo);
-  for (const Cell& own : nearest) far_[key(own)].push_back({lo, 1 / static_cast<double>(nearest.size())});
+  if (kept(lo) || inside(lo) == 0) return;
+  const std::vector<Piece>& found = pieces(lo);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (!found[k].owners.empty()) continue;
+    const std::vector<Cell> nearest = nearest_kept(lo);
+    for (const Cell& own : nearest) far_[key(own)].push_back({lo, k, 1 / static_cast<double>(nearest.size())});
+  }
 }
 
 /// By shells of cells around it.

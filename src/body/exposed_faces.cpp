@@ -8,7 +8,9 @@
 #include <tuple>
 
 #include "body_surfaces.hpp"
+#include "perinox/body/convexity.hpp"
 #include "perinox/body/neighbor_search.hpp"
+#include "perinox/body/shape_intervals.hpp"
 #include "spread_load.hpp"
 #include "vectors.hpp"
 
@@ -47,6 +49,7 @@ class Exposed {
   LocalIndex behind(LocalIndex i, int axis, int steps) const;
   std::size_t face_of(const Facet& facet, LocalIndex i);
   void take_face(LocalIndex i, std::size_t face, const std::vector<Facet>& facets);
+  bool gap_to(const CutCells::Cell& next, LocalIndex i);
   void spread(const Facet& facet, const CutCells::Cell& cell, double weight, LocalIndex i);
   void add_row(LocalIndex i, std::size_t face, const Point& normal);
   void add_row_shares(LocalIndex i, std::size_t face, std::vector<FaceShare>& shares) const;
@@ -98,7 +101,11 @@ void Exposed::add_row(LocalIndex i, std::size_t face, const Point& normal) {
   const int axis = axis_of(face), side = side_of(face);
   const int in_reach = 1 + static_cast<int>(std::floor(body_.reach / spacing(i) + 1e-9));
   int count = 1;
-  while (count < std::min(most_layers, in_reach) && behind(i, axis, -side * count) >= 0) ++count;
+  while (count < std::min(most_layers, in_reach)) {
+    const LocalIndex next = behind(i, axis, -side * count);
+    if (next < 0 || !surfaces_.joined(part(i), body_.position3(i), part(next), body_.position3(next))) break;
+    ++count;
+  }
   // On a surface that is made of steps a face stands for as much of the true one as is seen along its axis.
   const Point& seen = facing_ ? *facing_ : normal;
   const std::size_t at = static_cast<std::size_t>(i) * sides_ + face;
@@ -111,7 +118,17 @@ void Exposed::spread(const Facet& facet, const CutCells::Cell& cell, double weig
   turned_ = turned_ || facet.open.area < facet.untouched;
   const CutCells& cells = surfaces_.cells(part(i));
   const CellBox box = cells.box(cell);
-  spread_load(facet, times(0.5, plus(box.lo, box.hi)), weight, body_, i, cells, facing_, search_, shares_);
+  const deck::BodyPart& own = deck_.body[static_cast<std::size_t>(part(i))];
+  const double reach = (farthest_carrier + 2) * spacing(i);
+  const bool open = !body::convex_within(own.shape, body_.position3(i), reach, body_.dimension);
+  // What is across a gap or a crack carries none of the load.
+  const auto carries = [&](const Point& from, LocalIndex j) {
+    const Point to = body_.position3(j);
+    return !(open && length_outside(cells.solid(), from, to) > bridged_gap * cells.spacing()) &&
+           !surfaces_.cracked(from, to);
+  };
+  spread_load(facet, times(0.5, plus(box.lo, box.hi)), weight, body_, i, cells.spacing(), facing_, search_, carries,
+              shares_);
 }
 
 /// The facets that lie in one face of the particle's cell.
@@ -140,11 +157,21 @@ void Exposed::take(LocalIndex i) {
   const CutCells::Cell own = cells.cell_of(body_.position3(i));
   if (cells.deep(own)) return;
   std::vector<std::vector<Facet>> of_face(sides_ + 1);
-  for (const Facet& facet : surfaces_.facets(part(i), own)) of_face[face_of(facet, i)].push_back(facet);
+  const auto sort = [&](const std::vector<Facet>& facets) {
+    for (const Facet& facet : facets) of_face[face_of(facet, i)].push_back(facet);
+  };
+  if (cells.exact())
+    cells.visit_owned(own, [&](const CutCells::Cell& cell, const CutCells::Piece& piece, double weight) {
+      const std::vector<Facet> facets = surfaces_.facets(part(i), cell, piece.solid);
+      if (cell == own) return sort(facets);
+      for (const Facet& facet : facets) spread(facet, cell, weight, i);
+    });
+  else
+    sort(surfaces_.facets(part(i), own));
   for (std::size_t face = 0; face < sides_; ++face) {
     CutCells::Cell next = own;
     next[static_cast<std::size_t>(axis_of(face))] += side_of(face);
-    const bool free = cells.exact() || !cells.kept(next);
+    const bool free = cells.exact() || !cells.kept(next) || gap_to(next, i);
     if (free && !of_face[face].empty()) {
       take_face(i, face, of_face[face]);
     } else if (free && !cells.exact()) {
@@ -155,9 +182,13 @@ void Exposed::take(LocalIndex i) {
   }
   if (!cells.exact()) return;
   for (const Facet& facet : of_face[sides_]) spread(facet, own, 1, i);
-  cells.owned_around(own, [&](const CutCells::Cell& cell, double weight) {
-    for (const Facet& facet : surfaces_.facets(part(i), cell)) spread(facet, cell, weight, i);
-  });
+}
+
+/// A gap narrower than a cell is between the particle and the one of the next cell, which may be another rank's.
+bool Exposed::gap_to(const CutCells::Cell& next, LocalIndex i) {
+  const CellBox box = surfaces_.cells(part(i)).box(next);
+  const Point at = times(0.5, plus(box.lo, box.hi));
+  return length_outside(surfaces_.cells(part(i)).solid(), body_.position3(i), at) > bridged_gap * spacing(i);
 }
 
 void Exposed::add_row_shares(LocalIndex i, std::size_t face, std::vector<FaceShare>& shares) const {

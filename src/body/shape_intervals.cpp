@@ -56,6 +56,10 @@ Intervals intervals_inside(const Solid& solid, const Point& a, const Point& b) {
   });
 }
 
+double length_outside(const Solid& solid, const Point& a, const Point& b) {
+  return norm(minus(b, a)) * (1 - length(intervals_inside(solid, a, b)));
+}
+
 Intervals intervals_inside(const deck::Shape& shape, const Point& a, const Point& b, int dimension) {
   if (dimension == 3) return intervals_inside(solid_of(shape, 3), a, b);
   return intervals_inside(solid_of(shape, 2), {a[0], a[1], 0}, {b[0], b[1], 0});

@@ -11,9 +11,10 @@ namespace perinox::body {
 
 namespace {
 
-// Of the spacing: how far around a particle its surface's load is spread, how deep, and how wide.
-constexpr double farthest = 3.1, deepest = 3, highest = 1, width = 0.6;
-constexpr double widest_gap = 0.3;  // of the spacing: what lies beyond more of a gap than this carries none of the load
+// Of the spacing: how deep a surface's load is spread, and how wide.
+constexpr double deepest = 3, highest = 1, width = 0.6;
+
+using Carries = std::function<bool(const Point& from, LocalIndex j)>;
 
 /// A share that another rank's particle carries.
 struct Sent {
@@ -21,25 +22,19 @@ struct Sent {
   FaceShare share;
 };
 
-/// Length of the straight line between two particles that lies outside of their body.
-double outside(const Solid& solid, const Point& a, const Point& b) {
-  return norm(minus(b, a)) * (1 - length(intervals_inside(solid, a, b)));
-}
-
 /// The particles that carry a facet's load, and how much of it each would rather have.
 struct Carriers {
   std::vector<LocalIndex> particle;
   std::vector<double> preference;
 };
 
-Carriers carriers_of(const Facet& facet, const Point& center, const Body& body, LocalIndex i, const CutCells& cells,
-                     const NeighborSearch& search) {
-  const double h = cells.spacing();
+Carriers carriers_of(const Facet& facet, const Point& center, const Body& body, LocalIndex i, double h,
+                     const NeighborSearch& search, const Carries& carries) {
   const double straight = norm(facet.whole.normal);
   // A piece that is bent round onto itself has no direction.
   const Point n = straight > 0.1 * facet.whole.area ? times(1 / straight, facet.whole.normal) : Point{};
   // Only what is within reach of the particle is known to be on this rank.
-  const double radius = std::min(farthest * h, body.reach) * (1 + 1e-9);
+  const double radius = std::min(farthest_carrier * h, body.reach) * (1 + 1e-9);
   std::vector<LocalIndex> found;
   search.within(body.position(i), radius, found);
   Carriers carriers;
@@ -48,9 +43,13 @@ Carriers carriers_of(const Facet& facet, const Point& center, const Body& body, 
     const Point away = minus(body.position3(j), center);
     const double depth = -dot(away, n);
     if (j != i && (depth > deepest * h || depth < -highest * h)) continue;
-    if (j != i && depth < 0 && outside(cells.solid(), body.position3(i), body.position3(j)) > widest_gap * h) continue;
+    if (!carries(center, j)) continue;
     carriers.particle.push_back(j);
     carriers.preference.push_back(std::max(0.0, dot(away, away) - depth * depth) / (width * width * h * h));
+  }
+  if (carriers.particle.empty()) {
+    carriers.particle.push_back(i);
+    carriers.preference.push_back(0);
   }
   // A facet may lie far from all of them: what counts is how much nearer one is than another.
   const double least = *std::min_element(carriers.preference.begin(), carriers.preference.end());
@@ -112,12 +111,12 @@ void hand_over(const Body& body, std::vector<FaceShare>& shares) {
   }
 }
 
-void spread_load(const Facet& facet, const Point& middle, double weight, const Body& body, LocalIndex i,
-                 const CutCells& cells, const std::optional<Point>& facing, const NeighborSearch& search,
+void spread_load(const Facet& facet, const Point& middle, double weight, const Body& body, LocalIndex i, double spacing,
+                 const std::optional<Point>& facing, const NeighborSearch& search, const Carries& carries,
                  std::vector<FaceShare>& shares) {
   if (!(facet.open.area > 0)) return;
   const Point center = along(middle, 1 / facet.whole.area, facet.whole.first);
-  const Carriers carriers = carriers_of(facet, center, body, i, cells, search);
+  const Carriers carriers = carriers_of(facet, center, body, i, spacing, search, carries);
   const auto d = static_cast<std::size_t>(body.dimension);
   // Columns: the normal's components, and the area; rows: their integrals and first moments about the facet's centre.
   Eigen::MatrixXd integrals(static_cast<Eigen::Index>(d) + 1, static_cast<Eigen::Index>(d) + 1);
@@ -130,7 +129,7 @@ void spread_load(const Facet& facet, const Point& middle, double weight, const B
       integrals(static_cast<Eigen::Index>(c) + 1, column) =
           weight * about(k < d ? facet.open.moment[c][k] : facet.open.first[c], sum, c);
   }
-  const Eigen::MatrixXd parts = distribute(carriers, center, body, cells.spacing(), integrals);
+  const Eigen::MatrixXd parts = distribute(carriers, center, body, spacing, integrals);
   const Point loaded = along(middle, 1 / facet.open.area, facet.open.first);
   for (std::size_t k = 0; k < carriers.particle.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(k);

@@ -1,17 +1,20 @@
 #include "gaps.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "perinox/body/convexity.hpp"
+#include "perinox/body/shape.hpp"
 #include "perinox/body/shape_intervals.hpp"
+#include "perinox/body/together.hpp"
 
 namespace perinox::bonds {
 
 namespace {
 
-constexpr double widest = 0.3;          // of the spacing: what a bond may leave the material by
 constexpr double for_rounding = 1e-9;   // of the spacing: a bond that leaves by just that much stays
 constexpr double on_an_outline = 0.01;  // of the horizon: points of a cloud this near to its outline lie on it
 
@@ -25,6 +28,26 @@ body::Solid grown(body::Solid solid, double by) {
   for (body::Surface& surface : solid.surfaces) surface.slack = std::max(surface.slack, by);
   for (body::Solid& part : solid.parts) part = grown(std::move(part), by);
   return solid;
+}
+
+/// A point beyond its outline would have no bond along it, and lose the others to nothing but the outline.
+void refuse_outside(const deck::Deck& deck, const body::Body& body,
+                    const std::vector<std::optional<body::Solid>>& solid) {
+  std::string sentence;
+  GlobalId id = 0;
+  for (LocalIndex i = 0; i < body.owned && sentence.empty(); ++i) {
+    const auto k = static_cast<std::size_t>(body.part[static_cast<std::size_t>(i)]);
+    const deck::BodyPart& part = deck.body[k];
+    if (!solid[k] || !part.outline || body::contains(*solid[k], body.position3(i))) continue;
+    const deck::Point x = body.position3(i);
+    id = body.id[static_cast<std::size_t>(i)];
+    sentence = deck::placed(
+        part.outline->location,
+        fmt::format("particle {} of the body {} at ({:g}, {:g}, {:g}) lies outside of the body's outline, which has to "
+                    "hold all its points; make the outline larger, or take the point out",
+                    id, part.name, x[0], x[1], x[2]));
+  }
+  body::refuse_first(body.communicator, id, sentence);
 }
 
 }  // namespace
@@ -43,6 +66,7 @@ Gaps::Gaps(const deck::Deck& deck, const body::Body& body, double horizon, doubl
     looked_at_ = looked_at_ || (solid_.back() && (cloud || !convex(part.shape)));
   }
   looked_at_ = looked_at_ || together_;
+  refuse_outside(deck, body, solid_);
 }
 
 bool Gaps::leaves(LocalIndex i, LocalIndex j) const {
@@ -53,7 +77,7 @@ bool Gaps::leaves(LocalIndex i, LocalIndex j) const {
   const deck::Point from = body_.position3(i), to = body_.position3(j);
   const double length =
       std::sqrt(std::pow(to[0] - from[0], 2) + std::pow(to[1] - from[1], 2) + std::pow(to[2] - from[2], 2));
-  const double allowed = (widest + for_rounding) * (body_.spacing_of(i) + body_.spacing_of(j)) / 2;
+  const double allowed = (body::bridged_gap + for_rounding) * (body_.spacing_of(i) + body_.spacing_of(j)) / 2;
   if (length <= allowed) return false;
   body::Intervals inside = body::intervals_inside(*solid_[part], from, to);
   if (length * (1 - body::length(inside)) <= allowed) return false;

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "perinox/body/body.hpp"
-#include "perinox/bonds/crack_surface.hpp"
+#include "perinox/body/crack_surface.hpp"
 
 namespace perinox::bonds {
 
@@ -24,7 +24,7 @@ class PreCracks {
   const deck::Deck& deck_;
   const body::Body& body_;
   double reach_ = 0;
-  std::vector<CrackSurface> surfaces_;
+  std::vector<body::CrackSurface> surfaces_;
   std::vector<long long> cut_by_;
   std::vector<std::size_t> near_;
   std::vector<std::vector<LocalIndex>> held_;  ///< of each surface: owned particles in it

@@ -91,6 +91,12 @@ Set convert_set(const std::string& name, const Value& value, Dimension dimension
                          "x, y and z",
                          name));
     }
+    if (condition.text().find_first_of("<>=!") == std::string::npos && !parse_number(condition.text()))
+      refuse(
+          inner.location(),
+          fmt::format("the formula of the set {} compares nothing, so that it holds wherever it is not exactly zero; "
+                      "write a condition, such as \"{} > 0\"",
+                      name, condition.text()));
     set.form = SetWhere{condition};
   } else if (form == "box") {
     const SetBox box{convert_point(inner.at("min"), dimension, "min"),

@@ -19,9 +19,10 @@ Key declare_bonds() {
       "bonds", "Which bonds are made.",
       {word_key("across_gaps", words::across_gaps, "cut",
                 "Bonds more than 0.3 spacings of whose straight line lie outside the bodies' shapes, as across a slit, "
-                "a notch or the gap between two bodies: not made (cut), or made like all others (keep). With "
+                "a notch or the gap between two bodies: not made (cut), or made like all others (keep). The spacing is "
+                "the mean of both ends'; a narrower gap is none, and material on both sides is bonded through it. With "
                 "bond_bodies: false the shape is that of the bond's own body. The shape of a point cloud is its "
-                "outline; without one its bonds are kept.")});
+                "outline; without one its bonds are kept, those to other bodies too.")});
   key.fallback = "{}";
   key.example = "bonds: {across_gaps: keep}";
   return key;
@@ -140,9 +141,10 @@ Key declare_deck(const std::vector<ModelDeclaration>& models, const std::vector<
   quadrature.example = "quadrature: partial-volume";
   Key bond_bodies = boolean_key("bond_bodies", true, "Particles of different bodies form bonds.");
   bond_bodies.example = "bond_bodies: false";
-  Key overlap = word_key("overlap", words::overlap, "refuse",
-                         "Where shapes of two bodies overlap: the deck is refused, or the body that comes later in the "
-                         "list takes that part from the earlier one.");
+  Key overlap =
+      word_key("overlap", words::overlap, "refuse",
+               "Where shapes of two bodies overlap: the deck is refused, or the body that comes later in the "
+               "list takes that part from the earlier one. Less than 0.001 of the spacing counts as touching.");
   overlap.example = "overlap: later-wins";
   title.example = "title: block in tension";
   Key root = map_key("", "The deck.",

@@ -59,7 +59,7 @@ Key declare_body() {
   shape.reference = "shape";
   Key outline = choice_key("outline",
                            "Of a point cloud: the shape that its particles fill, so that bonds across its slits and "
-                           "notches are found (bonds: {across_gaps: cut}).",
+                           "notches are found (bonds: {across_gaps: cut}). All its points lie in it, or on it.",
                            {});
   outline.reference = "shape";
   Key element = map_key(
@@ -170,8 +170,8 @@ Key declare_boundary() {
                           "traction"),
                expression_key("pressure", "stress",
                               "Pressure into the body, along the normals of the reference surface, on the exposed "
-                              "surface of the set's particles as of a traction: a number or a formula of x, y, z, t; "
-                              "only on lattices."),
+                              "surface of the set's particles as of a traction: a number or a formula of x, y, z, t, "
+                              "evaluated at the middle of each piece of surface in a cell; only on lattices."),
                facing,
                components("velocity", "velocity",
                           "Prescribed velocity; only with dynamics: explicit, where t is the time.", "velocity")});

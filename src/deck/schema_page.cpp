@@ -20,7 +20,8 @@ const char* const introduction =
     "names\n"
     "  the line and the nearest key.\n"
     "- Units are any consistent set (mm, N, MPa, or m, N, Pa); the tables name what kind of quantity a number is.\n"
-    "- 2-D bodies have thickness 1: forces, reactions and energies are per unit thickness. Divide a given force by the\n"
+    "- 2-D bodies have thickness 1: forces, reactions and energies are per unit thickness. Divide a given force by "
+    "the\n"
     "  thickness of the part, and multiply a reaction by it.\n"
     "- In the column `default`, `alternative` marks keys that exclude each other.\n"
     "- File names are relative to the deck's folder.\n"
@@ -77,8 +78,9 @@ std::string row(const DescribedKey& described, const Schema& schema) {
   const bool is_value = key.fallback && fallback != "optional";
   const std::string type =
       key.reference.empty() ? type_text(key, schema) : "[" + key.reference + "](#" + key.reference + ")";
-  return fmt::format("| {} | {} | {} | {} | {} | {} |\n", code(cell(described.path)), cell(type), cell(unit_text(key.unit)),
-                     is_value ? code(cell(fallback)) : fallback, cell(range_text(key)), cell(key.sentence));
+  return fmt::format("| {} | {} | {} | {} | {} | {} |\n", code(cell(described.path)), cell(type),
+                     cell(unit_text(key.unit)), is_value ? code(cell(fallback)) : fallback, cell(range_text(key)),
+                     cell(key.sentence));
 }
 
 std::string table(const std::vector<DescribedKey>& keys, const Schema& schema) {

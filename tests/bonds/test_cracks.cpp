@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "perinox/bonds/crack_surface.hpp"
+#include "perinox/body/crack_surface.hpp"
 #include "support/bodies.hpp"
 #include "support/measured.hpp"
 
@@ -10,6 +10,7 @@ namespace perinox::bonds {
 namespace {
 
 using namespace body::fixture;
+using body::CrackSurface;
 using deck::Point;
 using ::testing::StartsWith;
 

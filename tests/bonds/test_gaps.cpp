@@ -121,6 +121,18 @@ TEST(Gaps, OfACloudByItsOutline) {
   EXPECT_EQ(build_bonds(cloud).bonds.across_gaps, lattice.bonds.across_gaps);
 }
 
+TEST(Gaps, AnOutlineHoldsAllPointsOfItsCloud) {
+  const TextFile file("outline.csv", "x,y,z,volume\n0.5,0.5,0,1\n1.5,0.5,0,1\n2.5,0.5,0,1\n");
+  deck::Deck cloud = deck_of(deck::CloudFile{file.path()}, deck::Dimension::plane_stress);
+  const auto with = [&](double end) {
+    cloud.body[0].outline = box({0, 0, 0}, {end, 1, 0});
+    return cloud;
+  };
+  EXPECT_EQ(build_bonds(with(2.49)).bonds.across_gaps, 0);  // within 0.01 horizons a point lies on its outline
+  EXPECT_THAT(refusal([&] { build_bonds(with(2.4)); }),
+              ::testing::HasSubstr("particle 2 of the body block at (2.5, 0.5, 0) lies outside of the body's outline"));
+}
+
 /// Moved by any part of a cell and far from the origin, mirrored: the same bonds.
 TEST(Gaps, DoNotDependOnWhereTheBodyLies) {
   const auto plate = [](double x, double y) {

@@ -195,6 +195,9 @@ const Mistake mistakes[] = {
      "the formula is empty; write a number or a formula of x, y, z and t"},
     {"set_with_time", base, "\"z > 6.5\"", "\"z > 6.5 + t\"", "19:17",
      "the formula of the set head uses t, but a set is the same at every t; use only x, y and z"},
+    {"set_without_comparison", base, "\"z > 6.5\"", "\"z - 6.5\"", "19:17",
+     "the formula of the set head compares nothing, so that it holds wherever it is not exactly zero; write a "
+     "condition, such as \"z - 6.5 > 0\""},
     {"load_on_unknown_set", base, "  - set: head", "  - set: haed", "22:10",
      "haed is not the name of a set or body; did you mean head?"},
     {"history_of_unknown_set", base, "reaction: head", "reaction: top", "30:28",

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "perinox/body/lattice.hpp"
@@ -15,7 +17,8 @@ struct CellBox {
 
 /// What a shape's surface leaves of the cells of its lattice. A particle stands for the part of its own cell that is
 /// inside and, in equal shares, for that of the cells without a particle that have none nearer, mostly cells around its
-/// own, in thin fins also cells farther away; it stays at its cell's centre. Volumes of shapes with plane faces are
+/// own, in thin fins also cells farther away; it stays at its cell's centre. What a gap divides from a particle, within
+/// a cell or between two, the particle does not stand for (bridged_gap). Volumes of shapes with plane faces are
 /// exact, of curved ones to about 1e-8. Every rank can ask for any cell: nothing depends on where the particles are.
 class CutCells {
  public:
@@ -42,9 +45,15 @@ class CutCells {
   double inside(const Cell& cell);
   /// Of the cell's particle, over a whole cell's volume: 1 inside.
   double volume(const Cell& cell);
-  /// Shares of a particle in cells that have none: visit(cell, share).
+  /// What is in a cell, in the pieces that gaps divide it into.
+  struct Piece {
+    std::optional<Solid> solid{};                   ///< the piece's part of the shape; none: all that is in the cell
+    double inside = 0;                              ///< over a whole cell's volume
+    std::vector<std::pair<Cell, double>> owners{};  ///< cells of the particles that stand for it, and their shares
+  };
+  /// What the cell's particle stands for: visit(cell, piece, share).
   template <class Visit>
-  void owned_around(const Cell& own, const Visit& visit);
+  void visit_owned(const Cell& own, const Visit& visit);
 
  private:
   /// Different for cells less than 2^20 apart.
@@ -53,14 +62,20 @@ class CutCells {
   template <class Visit>
   void around(const Cell& cell, const Visit& visit) const;
   deck::Point center(const Cell& cell) const;
-  /// Cells with particles that stand for what is inside of a cell without one: the nearest of those around it.
-  std::vector<Cell> owners(const Cell& cell) const;
+  /// The cell and those around it.
+  CellBox box_around(const Cell& cell) const;
+  const std::vector<Piece>& pieces(const Cell& cell);
+  std::vector<Piece> divide(const Cell& cell);
+  /// Cells with particles that stand for a piece of a cell: its own, or the nearest of those around it that no gap
+  /// divides from the piece; where a gap does from all of them, the nearest. samples: of the piece; none: all of them
+  /// are joined to it.
+  std::vector<std::pair<Cell, double>> owners(const Cell& cell, const std::vector<deck::Point>& samples) const;
   /// Nothing of the shape is in the cell or touches it.
   bool empty(const Cell& cell) const;
-  double share_of(const Cell& own, const Cell& other) const;
-  /// A part of a cell with no particle around that another particle stands for.
+  /// A piece of a cell with no particle around that another particle stands for.
   struct Far {
     Cell cell;
+    std::size_t piece;
     double share;
   };
   void find_far();
@@ -72,6 +87,7 @@ class CutCells {
   double tolerance_ = 0;
   bool cut_ = false, filled_ = false;
   std::unordered_map<std::uint64_t, double> inside_;
+  std::unordered_map<std::uint64_t, std::vector<Piece>> pieces_;
   bool searched_ = false;
   std::unordered_map<std::uint64_t, std::vector<Far>> far_;  ///< by the owner's cell
 };
@@ -86,15 +102,19 @@ void CutCells::around(const Cell& cell, const Visit& visit) const {
 }
 
 template <class Visit>
-void CutCells::owned_around(const Cell& own, const Visit& visit) {
-  around(own, [&](const Cell& cell, long long) {
-    if (kept(cell) || empty(cell)) return;
-    if (const double share = share_of(own, cell); share > 0) visit(cell, share);
-  });
+void CutCells::visit_owned(const Cell& own, const Visit& visit) {
+  const auto visit_cell = [&](const Cell& cell, long long) {
+    if (empty(cell)) return;
+    for (const Piece& piece : pieces(cell))
+      for (const auto& [owner, share] : piece.owners)
+        if (owner == own) visit(cell, piece, share);
+  };
+  visit_cell(own, 0);
+  around(own, visit_cell);
   find_far();
   const auto found = far_.find(key(own));
   if (found == far_.end()) return;
-  for (const Far& far : found->second) visit(far.cell, far.share);
+  for (const Far& far : found->second) visit(far.cell, pieces(far.cell)[far.piece], far.share);
 }
 
 }  // namespace perinox::body

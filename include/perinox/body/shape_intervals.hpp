@@ -14,6 +14,12 @@ Intervals intervals_inside(const deck::Shape& shape, const deck::Point& a, const
 /// The same of a shape made ready by solid_of, for many segments; in 2-D the points have z = 0.
 Intervals intervals_inside(const Solid& solid, const deck::Point& a, const deck::Point& b);
 
+/// Length of the straight line from a to b that lies outside of the solid.
+double length_outside(const Solid& solid, const deck::Point& a, const deck::Point& b);
+/// Of the spacing: a gap that a straight line crosses in less than this is none. Bonds are made across it, surface
+/// loads and volumes go across it.
+constexpr double bridged_gap = 0.3;
+
 /// Where the line a + t (b - a), t any number, is inside of one surface moved outwards by `slack` (a length, may be
 /// below 0): all of the line, one interval, or none (first > second).
 std::pair<double, double> interval_inside(const Surface& surface, const deck::Point& a, const deck::Point& direction,

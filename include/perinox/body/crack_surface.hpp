@@ -1,7 +1,7 @@
 #pragma once
 #include "perinox/deck/deck.hpp"
 
-namespace perinox::bonds {
+namespace perinox::body {
 
 /// A pre-crack as a flat surface: a parallelogram or a disc. A segment (2-D) is the parallelogram that stands on it
 /// along z; in 2-D every surface cuts where it meets z = 0.
@@ -37,4 +37,4 @@ class CrackSurface {
   double tolerance_ = 0;
 };
 
-}  // namespace perinox::bonds
+}  // namespace perinox::body

@@ -1,10 +1,10 @@
-#include "perinox/bonds/crack_surface.hpp"
+#include "perinox/body/crack_surface.hpp"
 
 #include <cmath>
 #include <limits>
 #include <utility>
 
-namespace perinox::bonds {
+namespace perinox::body {
 
 namespace {
 
@@ -102,4 +102,4 @@ bool CrackSurface::cuts(const Point& one, const Point& other) const {
                 rounding(*low) + rounding(*high));
 }
 
-}  // namespace perinox::bonds
+}  // namespace perinox::body
