@@ -42,7 +42,15 @@ struct Find {
 
   Members operator()(const deck::SetWhere& form) const {
     const deck::Condition condition(form.condition);
-    return where([&](const deck::Point& x, double slack) { return condition.holds(x, slack); });
+    return where([&](const deck::Point& x, double slack) {
+      const bool in = condition.holds(x, slack);
+      if (condition.undefined())
+        deck::refuse(set.location, fmt::format("the condition of the set {} is not a number at the particle at ({:g}, "
+                                               "{:g}, {:g}); ask first for what makes it one, as in \"x > 0 && "
+                                               "sqrt(x) < 2\"",
+                                               set.name, x[0], x[1], x[2]));
+      return in;
+    });
   }
   Members operator()(const deck::SetBox& box) const {
     return where([&](const deck::Point& x, double slack) {

@@ -17,6 +17,7 @@ constexpr std::array<const char*, 6> operators{"<=", ">=", "==", "!=", "<", ">"}
 struct Comparisons {
   std::vector<double> difference;  ///< of the last evaluation; not a number: not reached
   std::vector<double> slack;       ///< of each
+  bool undefined = false;          ///< something that was compared in the last evaluation is not a number
 };
 thread_local Comparisons* now = nullptr;
 
@@ -25,6 +26,7 @@ double compare(double number, double kind, double a, double b) {
   const auto k = static_cast<std::size_t>(number);
   const double difference = a - b;
   now->difference[k] = difference;
+  now->undefined = now->undefined || std::isnan(a) || std::isnan(b);
   const bool equal = a == b || std::abs(difference) <= now->slack[k];
   switch (static_cast<int>(kind)) {
     case 0:
@@ -124,7 +126,10 @@ struct Condition::Compiled {
     z = point[2];
     now = &comparisons;
     std::fill(comparisons.difference.begin(), comparisons.difference.end(), std::nan(""));
-    return parser.Eval() != 0;
+    comparisons.undefined = false;
+    const double value = parser.Eval();
+    comparisons.undefined = comparisons.undefined || std::isnan(value);
+    return value != 0;
   }
 };
 
@@ -132,6 +137,8 @@ Condition::Condition(const Expression& condition) : compiled_(std::make_unique<C
 Condition::~Condition() = default;
 Condition::Condition(Condition&&) noexcept = default;
 Condition& Condition::operator=(Condition&&) noexcept = default;
+
+bool Condition::undefined() const { return compiled_->comparisons.undefined; }
 
 bool Condition::holds(const std::array<double, 3>& point, double slack) const {
   Comparisons& comparisons = compiled_->comparisons;

@@ -19,7 +19,7 @@ LatticeLoops::LatticeLoops(const Scene& scene, Purpose purpose)
     : FamilyLoops(scene, purpose),
       families_(*scene.lattice()),
       small_(purpose.small_strain),
-      plastic_body_(scene.plastic()),
+      plastic_body_(scene.plastic_here()),
       moved_(!small_ || plastic_body_) {
   const bonds::CellGrid& grid = families_.grid();
   const double volume = families_.volume();

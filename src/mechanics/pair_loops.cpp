@@ -12,7 +12,7 @@ PairLoops::PairLoops(const Scene& scene, Purpose purpose)
       families_(*scene.pairs()),
       slot_(families_.slot()),
       small_(purpose.small_strain),
-      plastic_body_(scene.plastic()) {
+      plastic_body_(scene.plastic_here()) {
   require(reference_);
   put(scene.body().reference.data(), d_, 0, local_, reference_, 0);
   put(scene.body().volume.data(), 1, 0, local_, reference_, 3);

@@ -87,10 +87,11 @@ void Scene::complete() {
   for (LocalIndex i = 0; i < body_.owned; ++i) {
     point_history_.push_back(point_history_.back() + needs[body_.material[i]]);
     const int values = per_bond[body_.material[i]];
-    plastic_ = plastic_ || (from_sums_ && values > 0);
+    plastic_here_ = plastic_here_ || (from_sums_ && values > 0);
     if (!from_sums_) bond_history_.push_back(bond_history_.back() + values * families_.size[i]);
     largest_family_ = std::max(largest_family_, families_.size[i]);
   }
+  plastic_ = body_.communicator.any(plastic_here_);
   drop_fits();
 }
 

@@ -19,7 +19,7 @@ void Trial::prepare(const Scene& scene, const Committed& committed) {
   dilatation.resize(owned);
   mean.assign(owned, 0.0);
   stored_energy.resize(owned);
-  flow.resize(scene.plastic() ? owned : 0);
+  flow.resize(scene.plastic_here() ? owned : 0);
   stored = unflowed = dissipated = 0;
   yielding = 0;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "perinox/core/error.hpp"
+#include "perinox/deck/condition.hpp"
 #include "perinox/output/table_reader.hpp"
 #include "perinox/output/tables.hpp"
 
@@ -35,6 +36,16 @@ double compared_value(const Measure& measure, const Numbers& numbers) {
       measure.name, value, numbers.at("step"), numbers.at("t"), numbers.at("step")));
 }
 
+bool holds_in(const Measure& measure, const Numbers& numbers) {
+  const deck::Condition where(formula(measure.where, numbers, {}, measure.location));
+  const bool in = where.holds({0, 0, 0}, 0);
+  if (!where.undefined()) return in;
+  throw RunError(
+      fmt::format("the condition {} of the measure {} is not a number in step {:.0f}, t = {:g}; ask first for "
+                  "what makes it one",
+                  measure.where, measure.name, numbers.at("step"), numbers.at("t")));
+}
+
 /// The rows that are looked at, in their order.
 std::vector<Numbers> rows_of(const Measure& measure, const PlannedRun& run, const std::string& path) {
   const output::NumberTable table = output::read_table(path);
@@ -42,7 +53,7 @@ std::vector<Numbers> rows_of(const Measure& measure, const PlannedRun& run, cons
   for (const std::vector<double>& row : table.rows) {
     Numbers numbers = numbers_of(table, row, run);
     if (measure.at && !same_time(numbers.at("t"), *measure.at)) continue;
-    if (!measure.where.empty() && value_of(measure.where, numbers, measure) == 0) continue;
+    if (!measure.where.empty() && !holds_in(measure, numbers)) continue;
     rows.push_back(std::move(numbers));
   }
   if (!rows.empty()) return rows;

@@ -104,7 +104,11 @@ Values field_value(const Measure& measure, const PlannedRun& run, const std::str
   std::size_t taken = 0;
   for (std::size_t i = 0; i < file.particles(); ++i) {
     const double* x = &place[i * 3];
-    if (!where.holds({x[0], x[1], x[2]}, slack)) continue;
+    const bool in = where.holds({x[0], x[1], x[2]}, slack);
+    if (where.undefined())
+      throw RunError(fmt::format("the condition {} of the measure {} is not a number at ({:g}, {:g}, {:g})",
+                                 measure.where, measure.name, x[0], x[1], x[2]));
+    if (!in) continue;
     ++taken;
     const std::vector<double> wanted = exact.at(x, step.t);
     double difference = 0, square = 0;

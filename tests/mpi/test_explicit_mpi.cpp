@@ -42,6 +42,24 @@ steps: {end: 6e-6, count: 3}
           "plastic bar");
 }
 
+/// Some rank has nothing that flows, and has to take the time step of the others.
+TEST(ExplicitRanks, ElasticBarThatHitsAPlasticOne) {
+  compare(deck_of(R"(
+dimension: plane-stress
+body:
+  - {name: a, shape: {box: {min: [0, 0], max: [20, 8]}}, spacing: 1, material: el}
+  - {name: b, shape: {box: {min: [20, 0], max: [40, 8]}}, spacing: 1, material: pl}
+horizon: {ratio: 3.015}
+materials:
+  el: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3, density: 1.0e-9}
+  pl: {model: elastic-plastic, young_modulus: 2000, poisson_ratio: 0.3, density: 2.0e-9, yield_stress: {tension: 9}}
+dynamics: explicit
+initial_velocity: [{set: a, velocity: {x: 1e4}}]
+steps: {end: 3e-5, count: 3}
+)"),
+          "elastic and plastic bar");
+}
+
 TEST(ExplicitRanks, CloudsThatCollideInPlaneStress) {
   compare(deck_of(R"(
 dimension: plane-stress

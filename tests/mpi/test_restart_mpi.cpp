@@ -71,6 +71,11 @@ void go_on_to_the_last_bit(const deck::Deck& deck) {
 
 TEST(RestartOnRanks, TheSameRanksGoOnToTheLastBit) { go_on_to_the_last_bit(deck_of(bar)); }
 
+/// Some rank has nothing that flows.
+TEST(RestartOnRanks, TheSameRanksGoOnToTheLastBitWhereOneHalfFlows) {
+  go_on_to_the_last_bit(deck_of(half_plastic_bar));
+}
+
 TEST(RestartOnRanks, TheSameRanksGoOnToTheLastBitWhereBondsBreakAndInTime) {
   go_on_to_the_last_bit(deck_of(snapping_bar));
   go_on_to_the_last_bit(deck_of(smashed_blocks));

@@ -146,6 +146,30 @@ TEST(Interpenetration, ABodyDrivenThroughAnotherFromAfarIsSeen) {
     EXPECT_NEAR(faces.after(down(10 + depth)).depth, depth, 0.01);  // 3.5e-3: at corners normals lean
 }
 
+/// Every particle of a body two or four wide is at an edge, where its family leans aside.
+TEST(Interpenetration, BodiesOfAnyWidth) {
+  for (const bool solid : {false, true})
+    for (const int width : {1, 2, 3, 4, 5, 6})
+      for (const int depth_of_it : {1, 2, 4}) {
+        if (!solid && depth_of_it > 1) continue;
+        if (std::min(width, depth_of_it) == 1 && (solid || width == 1)) continue;  // one particle thick: no normal
+        const std::string aside = solid ? fmt::format(", {}]", depth_of_it) : "]", origin = solid ? ", 0]" : "]";
+        Faces faces(fmt::format(R"(
+dimension: {}
+bond_bodies: false
+body:
+  - {{name: a, shape: {{box: {{min: [0, 4{}, max: [{}, 10{}}}}}, spacing: 1, material: m}}
+  - {{name: b, shape: {{box: {{min: [0, 10{}, max: [{}, 16{}}}}}, spacing: 1, material: m}}
+)",
+                                solid ? "3" : "plane-stress", origin, width, aside, origin, width, aside) +
+                    std::string(rest));
+        for (const double depth : {0.0, 0.3, 0.8, 1.3, 1.8}) {
+          const auto down = [&](const Point& x) { return Point{x[0], x[1] - (x[1] > 10 ? depth : 0), x[2]}; };
+          EXPECT_NEAR(faces.after(down).depth, depth, 0.1 * depth) << width << " by " << depth_of_it << ", solid " << solid;
+        }
+      }
+}
+
 TEST(Interpenetration, StripsOneParticleThick) {
   Faces faces(
       "dimension: plane-stress\nbond_bodies: false\nbody:\n"

@@ -95,4 +95,24 @@ history:
   - {name: right, displacement: right, component: x}
 )";
 
+/// An elastic and a plastic half, pulled and pushed back.
+inline const std::string half_plastic_bar = R"yaml(
+dimension: 3
+body:
+  - {name: elastic, shape: {box: {min: [0, 0, 0], max: [4, 4, 12]}}, spacing: 1, material: stiff}
+  - {name: plastic, shape: {box: {min: [0, 0, 12], max: [4, 4, 24]}}, spacing: 1, material: metal}
+horizon: {ratio: 2.015}
+materials:
+  stiff: {model: elastic, bulk_modulus: 160e3, shear_modulus: 80e3}
+  metal: {model: elastic-plastic, bulk_modulus: 160e3, shear_modulus: 80e3, yield_stress: {tension: 200}}
+sets: {foot: {where: "z < 2"}, head: {where: "z > 22"}}
+boundary:
+  - {set: foot, displacement: {x: 0, y: 0, z: 0}}
+  - {set: head, displacement: {x: "0.01*t", z: "0.12*sin(5*t)"}}
+steps: {end: 1, count: 4}
+history:
+  - {name: pull, reaction: head, component: z}
+  - {name: flowed, yielded: all}
+)yaml";
+
 }  // namespace perinox::testing

@@ -66,7 +66,8 @@ class Scene {
   /// history is kept plainly: that of particle i's bonds begins at bond_history()[i] [owned + 1].
   bool from_sums() const { return from_sums_; }
   const std::vector<std::int64_t>& bond_history() const { return bond_history_; }
-  /// True if any particle's material carries plastic extension in the sweeps' own order.
+  /// True if any particle's material, of this rank or of any, carries plastic extension in the sweeps' own order.
+  bool plastic_here() const { return plastic_here_; }
   bool plastic() const { return plastic_; }
   /// True if bonds keep their reference direction: no geometric term anywhere.
   bool small_strain() const { return small_strain_; }
@@ -105,7 +106,7 @@ class Scene {
   std::vector<std::int64_t> point_history_;
   std::vector<std::int64_t> bond_history_;  ///< empty if from_sums()
   bool from_sums_ = true;
-  bool plastic_ = false;
+  bool plastic_ = false, plastic_here_ = false;
   bool small_strain_ = false;
   int largest_family_ = 0;
   std::vector<std::array<GlobalId, 2>> broken_;

@@ -23,7 +23,7 @@ std::string describe(const Overlap& overlap);
 ///
 /// Each exposed particle has a normal N out of its body, against the lean of its intact bonds, and a deformation
 /// gradient F, fitted to them. A pair a, b that shares no intact bond, whose faces looked at each other at the start
-/// (N_a . xi > 0 > N_b . xi) and look at each other now (n_a . n_b < -0.9, n = F^-T N/|F^-T N|), and that lies across
+/// (N_a . xi > 0 > N_b . xi) and look at each other now (n_a . n_b < 0.5, n = F^-T N/|F^-T N|), and that lies across
 /// the faces (sideways by at most 0.75 spacings) overlaps by
 ///     depth = rest - n . (y_b - y_a),   n = (n_a - n_b)/|n_a - n_b|,
 /// where the rest distance is that of two layers that touch, h stretched as the material beside them is, or where that
