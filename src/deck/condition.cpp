@@ -17,7 +17,9 @@ constexpr std::array<const char*, 6> operators{"<=", ">=", "==", "!=", "<", ">"}
 struct Comparisons {
   std::vector<double> difference;  ///< of the last evaluation; not a number: not reached
   std::vector<double> slack;       ///< of each
-  bool undefined = false;          ///< something that was compared in the last evaluation is not a number
+  bool odd = false;                ///< something that was compared in the last evaluation is not a number
+  double for_odd = 0;              ///< what such a comparison gives
+  bool undefined = false;          ///< the last condition depends on what such a comparison gives
 };
 thread_local Comparisons* now = nullptr;
 
@@ -26,7 +28,10 @@ double compare(double number, double kind, double a, double b) {
   const auto k = static_cast<std::size_t>(number);
   const double difference = a - b;
   now->difference[k] = difference;
-  now->undefined = now->undefined || std::isnan(a) || std::isnan(b);
+  if (std::isnan(difference) && !(a == b)) {
+    now->odd = true;
+    return now->for_odd;
+  }
   const bool equal = a == b || std::abs(difference) <= now->slack[k];
   switch (static_cast<int>(kind)) {
     case 0:
@@ -126,9 +131,15 @@ struct Condition::Compiled {
     z = point[2];
     now = &comparisons;
     std::fill(comparisons.difference.begin(), comparisons.difference.end(), std::nan(""));
-    comparisons.undefined = false;
+    comparisons.odd = false;
+    comparisons.for_odd = 0;
     const double value = parser.Eval();
-    comparisons.undefined = comparisons.undefined || std::isnan(value);
+    comparisons.undefined = std::isnan(value);
+    if (comparisons.odd) {  // all of && and || is evaluated: does it matter?
+      comparisons.for_odd = 1;
+      const double other = parser.Eval();
+      comparisons.undefined = std::isnan(value) || (other != 0) != (value != 0);
+    }
     return value != 0;
   }
 };

@@ -16,7 +16,10 @@ std::vector<FieldDeclaration> common_fields() {
       {"displacement", "Displacement from the reference position; always written.", "length", vector_of_3, always},
       {"force", "Force that the bonds put on the particle, in 2-D per unit thickness; always written.", "force",
        vector_of_3, always},
-      {"dilatation", "Change of volume over volume, a mean over the family.", "-", "1", always},
+      {"dilatation",
+       "Change of volume over volume, a mean over the family; in plane stress of area over area, without "
+       "the change of thickness, which strain zz has.",
+       "-", "1", always},
       {"damage", "Share of the family that is lost, by weight: 0 none, 1 all; pre-cracks count from the start.", "-",
        "1", "in every run; 0 where there is neither a pre-crack nor a damage law"},
       {"stored_energy", "Elastic energy, which unloading gives back, a volume.", "energy/volume", "1", always},

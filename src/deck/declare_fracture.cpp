@@ -78,8 +78,8 @@ Key declare_dynamics() {
 
 Key declare_explicit() {
   Key distance = positive_key("distance", "-",
-                              "Particles without a bond between them repel when nearer than this times their mean "
-                              "spacing.");
+                              "Particles without a bond between them repel when nearer than this times the larger "
+                              "of their spacings.");
   distance.fallback = "0.9";
   Key stiffness = positive_key("stiffness", "-", "Of a pair in contact, times that of a bond between the two.");
   stiffness.fallback = "1";

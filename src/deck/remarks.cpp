@@ -59,10 +59,30 @@ void remark_on_horizon(const Deck& deck, std::vector<std::string>& found) {
                          spacings)));
 }
 
+/// Keys that are right, of which this run makes no use. A map that the deck does not have stands where the deck begins.
+void remark_on_unused(const Deck& deck, std::vector<std::string>& found) {
+  const auto unused = [&](const Location& where, const char* key, const char* why) {
+    if (where.column > 1) found.push_back(placed(where, fmt::format("{} has no effect here: {}", key, why)));
+  };
+  const bool in_steps = deck.dynamics == Dynamics::quasi_static;
+  if (in_steps && !deck.may_move())
+    unused(deck.motion.location, "explicit",
+           deck.motion.contact ? "the run goes in load steps, without motion in time and without contact; faces may "
+                                 "pass into each other"
+                               : "the run goes in load steps, without motion in time");
+  if (in_steps && deck.steps.control != Control::arc_length)
+    unused(deck.arc_length.location, "arc_length", "steps.control is load");
+  if (!deck.breaks()) unused(deck.fracture.location, "fracture", "no material has a damage law");
+  if (!in_steps || !deck.may_move())
+    unused(deck.hand_over.location, "hand_over",
+           in_steps ? "the run goes in load steps only (fallback)" : "the whole run is a motion in time");
+}
+
 }  // namespace
 
 std::vector<std::string> remarks(const Deck& deck) {
   std::vector<std::string> found;
+  remark_on_unused(deck, found);
   remark_on_horizon(deck, found);
   remark_on_steady_loads(deck, found);
   return found;

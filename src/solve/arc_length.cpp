@@ -197,6 +197,7 @@ NewtonResult ArcLength::attempt(const mechanics::Committed& committed, int step,
   turned_ = false;
   point = along(origin, share, increment_);
   if (end == End::load) point.t = deck_.steps.end;
+  missed_until_ = end == End::load && until_;
   const FixedLoad end_of_loads(deck_.steps.end, first_load_);
   const PathConstraint& constraint = end == End::load ? static_cast<const PathConstraint&>(end_of_loads) : *until_;
   const NewtonResult last = solve_on_path(committed, constraint, step, observer, point, trial, force);
@@ -241,6 +242,12 @@ bool ArcLength::cut() {
   if (arc_ <= shortest_) return false;
   arc_ = std::max(arc_ / 2, shortest_);
   return true;
+}
+
+std::string ArcLength::unreached() const {
+  if (ended_) return missed_until_ ? "steps.end is reached before arc_length.until" : "";
+  return fmt::format("the path ends after arc_length.max_steps = {} steps{}", settings_.max_steps,
+                     until_ ? ", before arc_length.until is reached" : ", before steps.end is");
 }
 
 double ArcLength::share() const {

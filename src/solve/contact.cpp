@@ -53,7 +53,8 @@ void Contact::make_springs() {
       const double between = near_.reference(other)[c] - near_.reference(one)[c];
       square += between * between;
     }
-    const double reach = std::min(settings_.distance * 0.5 * (a[0] + b[0]), std::sqrt(square));
+    // Of the coarser one: a fine body must not find a way between the particles of a coarse one.
+    const double reach = std::min(settings_.distance * std::max(a[0], b[0]), std::sqrt(square));
     springs_.push_back({reach, settings_.stiffness * (a[1] * b[1]) * (a[2] + b[2])});
   }
 }

@@ -42,7 +42,7 @@ LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
   if (deck.may_move()) motion_.emplace();
   if (deck.breaks()) breaking_ = std::make_unique<BondBreaking>(deck, scene);
   if (!motion_ && !breaking_) return;
-  const Parts parts = find_parts(scene, boundary_);
+  const Parts parts = find_parts(deck, scene, boundary_);
   if (motion_) passage_ = passage_time(deck, scene, parts);
   bonds_ = moving_bonds(scene, parts);
 }
@@ -149,6 +149,12 @@ bool LoadStepper::advance(Observer& observer, NewtonResult& result) {
   begin_step();
   control_->accept(committed_, trial);
   commit(std::move(trial), std::move(force), true);
+  if (lost_by_snapping_ > 0)
+    observer.note(
+        fmt::format("warning: snaps to another equilibrium at t = {:.6g}: {:.4g} of energy lost on the way, "
+                    "which load steps do not follow; steps.control: arc-length finds the way, explicit "
+                    "dynamics the motion",
+                    committed_.t(), lost_by_snapping_));
   settle(observer, result);
   return true;
 }
@@ -182,10 +188,33 @@ void LoadStepper::stop(Observer& observer, double t, const NewtonResult& result)
       deck_.steps.adaptive ? " at its smallest size" : " and steps.adaptive is false", result.reason));
 }
 
+double LoadStepper::set_free(const mechanics::Trial& trial) const {
+  if (deck_.steps.control != deck::Control::load) return 0;
+  double work = 0, moved = 0;
+  for (std::size_t u = 0; u < external_.size(); ++u) {
+    const double change = trial.displacement[u] - committed_.displacement()[u];
+    if (boundary_.prescribed()[u])
+      moved = std::max(moved, std::abs(change));
+    else
+      work += external_[u] * change;
+  }
+  std::vector<double> sums{work, trial.stored - loose_energy(scene_, boundary_.loose(), trial.stored_energy),
+                           trial.dissipated};
+  const Communicator& ranks = scene_.body().communicator;
+  ranks.sum(sums);
+  if (ranks.max(moved) > 0) return 0;
+  // On a plateau the two are equal but for the tolerance of the steps.
+  constexpr double equal = 0.01;
+  const double beyond = sums[0] - (sums[1] - energies_.stored) - sums[2];
+  return beyond > equal * std::abs(sums[0]) + equal * energies_.scale ? beyond : 0;
+}
+
 void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force, bool followed) {
   const Communicator& ranks = scene_.body().communicator;
   std::optional<mechanics::PathWork> path;
-  if (followed) path.emplace(scene_, committed_, trial);
+  const bool snaps = followed && set_free(trial) > 0;
+  lost_by_snapping_ = 0;
+  if (followed && !snaps) path.emplace(scene_, committed_, trial);
   std::vector<double> external(scene_.owned_unknowns());
   boundary_.external_force(trial.t, external.data());
   // Outside forces on the body: the given ones, and on prescribed unknowns whatever balances the internal force.
@@ -199,6 +228,10 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force, 
                            trial.dissipated};
   ranks.sum(sums);
   energies_.external_work += sums[0];
+  if (snaps) {
+    lost_by_snapping_ = sums[0] - (sums[1] - energies_.stored) - sums[2];
+    energies_.relaxed += lost_by_snapping_;
+  }
   energies_.stored = sums[1];
   energies_.dissipated += sums[2];
 

@@ -7,16 +7,26 @@
 
 namespace perinox::solve {
 
-Parts find_parts(const mechanics::Scene& scene, const Boundary& boundary) {
+namespace {
+Parts pieces_of(const mechanics::Scene& scene) {
   Parts parts;
   parts.components = bonds::connected_components(scene.body(), scene.bond_graph());
   parts.diagonal = body::diagonals(scene.body(), parts.components.of, parts.components.count());
-  std::vector<double> moves(parts.count(), 0.0);
+  return parts;
+}
+}  // namespace
+
+Parts find_parts(const deck::Deck& deck, const mechanics::Scene& scene, const Boundary& boundary) {
+  Parts parts = pieces_of(scene);
+  std::vector<double> free(parts.count(), 0.0), breakable(parts.count(), deck.breaks() ? 0.0 : 1.0);
   const auto d = static_cast<std::size_t>(scene.dimension());
   for (std::size_t u = 0; u < scene.owned_unknowns(); ++u)
-    if (!boundary.prescribed()[u]) moves[parts.of(static_cast<LocalIndex>(u / d))] = 1;
-  scene.body().communicator.max(moves);
-  for (const double any : moves) parts.moves.push_back(any > 0 ? 1 : 0);
+    if (!boundary.prescribed()[u]) free[parts.of(static_cast<LocalIndex>(u / d))] = 1;
+  for (LocalIndex i = 0; i < scene.owned(); ++i)
+    if (deck.materials[static_cast<std::size_t>(scene.body().material[i])].damage) breakable[parts.of(i)] = 1;
+  scene.body().communicator.max(free);
+  scene.body().communicator.max(breakable);
+  for (std::size_t k = 0; k < parts.count(); ++k) parts.moves.push_back(free[k] > 0 && breakable[k] > 0 ? 1 : 0);
   return parts;
 }
 
@@ -35,7 +45,7 @@ bool moves_beyond_small(const mechanics::Scene& scene, const Boundary& boundary,
     if (!boundary.prescribed()[u]) farthest = std::max(farthest, std::abs(displacement[u]));
   // No part that resists a load is smaller than the horizon, so that the parts need not be found for a usual step.
   if (ranks.max(farthest) <= 0.5 * scene.families().horizon) return false;
-  const Parts parts = find_parts(scene, boundary);
+  const Parts parts = pieces_of(scene);
   const auto d = static_cast<std::size_t>(scene.dimension());
   std::vector<double> free(parts.count(), 0.0), prescribed(parts.count(), 0.0);
   for (std::size_t u = 0; u < scene.owned_unknowns(); ++u) {

@@ -25,6 +25,9 @@ TEST(Sets, ByCondition) {
   deck::Deck deck = cube(3);
   add_set(deck, "corner", deck::SetWhere{deck::Expression("x < 1 && y < 1 && z < 2", {"deck.yaml", 20, 3})});
   EXPECT_THAT(build_body(deck).sets.at("corner"), ElementsAre(0, 9));
+  // What is asked first keeps the rest from being asked where it has no value.
+  add_set(deck, "half", deck::SetWhere{deck::Expression("x > 2 && sqrt(x - 2) < 9", {"deck.yaml", 20, 3})});
+  EXPECT_EQ(build_body(deck).sets.at("half").size(), 9U);
 }
 
 /// A box's face through particle centres takes them in, on all sides, even where 0.1 + 0.2 is not 0.3.
@@ -94,6 +97,10 @@ TEST(Sets, Refusals) {
       {"low", deck::SetIds{{-1}}, "deck.yaml:20:3: the set low names particle -1, but the particles are numbered"},
       {"huge", deck::SetIds{{9223372036854775807LL}},
        "deck.yaml:20:3: the set huge names particle 9223372036854775807"},
+      {"root", deck::SetWhere{deck::Expression("sqrt(x - 1) < 9", {"deck.yaml", 20, 3})},
+       "deck.yaml:20:3: the condition of the set root is not a number at the particle at (0.5, 0.5, 0.5)"},
+      {"log", deck::SetWhere{deck::Expression("ln(x - 1) != 0", {"deck.yaml", 20, 3})},
+       "deck.yaml:20:3: the condition of the set log is not a number at the particle at (0.5, 0.5, 0.5)"},
       {"other", deck::SetBody{"blok"}, "deck.yaml:20:3: the set other names the body blok, which the deck does not"},
       {"all", deck::SetIds{{1}}, "deck.yaml:20:3: the name all is taken"},
       {"block", deck::SetIds{{1}}, "deck.yaml:20:3: the name block is taken"},

@@ -38,6 +38,14 @@ const Remark remarks[] = {
     {"load_that_never_uses_t", &base_deck, "\"0.01*t\"", "0.01",
      "note: deck.yaml:22:5: the displacement on head does not use t, so that it is there in full from the first step "
      "on, and all 2 steps find the same state, as no load uses t; let it grow as in \"1.5*t\" unless that is meant\n"},
+    {"contact_in_load_steps", &base_deck, "horizon:", "explicit: {contact: {}}\nhorizon:",
+     "note: deck.yaml:8:11: explicit has no effect here: the run goes in load steps, without motion in time and "
+     "without "
+     "contact; faces may pass into each other\n"},
+    {"fracture_without_damage", &base_deck, "horizon:", "fracture: {pass_share: 0.1}\nhorizon:",
+     "note: deck.yaml:8:11: fracture has no effect here: no material has a damage law\n"},
+    {"arc_length_in_load_steps", &base_deck, "horizon:", "arc_length: {max_steps: 9}\nhorizon:",
+     "note: deck.yaml:8:13: arc_length has no effect here: steps.control is load\n"},
     {"field_of_the_plane", &base_deck, "[displacement, force]", "[plastic_strain_zz]",
      "note: deck.yaml:28:29: this scene has no field plastic_strain_zz, so that it will not be in results.h5; it "
      "exists "

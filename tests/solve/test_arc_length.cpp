@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "perinox/solve/path_constraint.hpp"
+#include "support/fracture.hpp"
 #include "support/runs.hpp"
 
 namespace perinox::testing {
@@ -35,6 +36,49 @@ history:
   - {{name: crown, displacement: crown, component: y}}
 {})",
                      PERINOX_SOURCE_DIR "/inputs/shallow_arch.csv", load, more);
+}
+
+/// Load steps pass over the limit point; what the load does beyond what is stored is not hidden in the work.
+TEST(ArcLength, LoadStepsSayThatTheArchSnaps) {
+  const double depth = 12.918;  // of the jump, all but 0.08 of it with the load of the step before
+  for (const int count : {20, 40}) {
+    const std::string yaml =
+        arch("force: {y: \"-1000*t\"}", fmt::format("steps: {{end: 1, count: {}}}\nfallback: none", count));
+    const deck::Deck deck = deck_of(yaml);
+    mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
+    solve::LoadStepper stepper(deck, scene);
+    FractureRecorder records;
+    stepper.run(records);
+    // Newton finds the other side by itself, or it is gone down to in energy.
+    EXPECT_TRUE(records.noted("of energy lost on the way")) << count;
+    const solve::Energies& e = stepper.energies();
+    EXPECT_GT(e.relaxed, 0.8 * depth * 400);
+    EXPECT_NEAR(e.stored + e.relaxed, e.external_work, 1e-6 * e.external_work);
+  }
+  // A path that is followed says nothing: up to before the limit.
+  const deck::Deck deck = deck_of(arch("force: {y: \"-1000*t\"}", "steps: {end: 0.45, count: 3}\nfallback: none"));
+  mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
+  solve::LoadStepper stepper(deck, scene);
+  FractureRecorder records;
+  stepper.run(records);
+  EXPECT_FALSE(records.noted("snaps"));
+  EXPECT_EQ(stepper.energies().relaxed, 0);
+}
+
+TEST(ArcLength, SaysWhatItHasNotComeTo) {
+  const auto said = [](const std::string& more) {
+    const deck::Deck deck = deck_of(
+        arch("force: {y: \"-1000*t\"}", "steps: {end: 1, count: 20, control: arc-length}\narc_length: " + more));
+    mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
+    solve::LoadStepper stepper(deck, scene);
+    Recorder records;
+    stepper.run(records);
+    return stepper.unreached();
+  };
+  EXPECT_EQ(said("{max_steps: 3}"), "the path ends after arc_length.max_steps = 3 steps, before steps.end is");
+  EXPECT_EQ(said("{max_steps: 3, until: {set: crown, component: y, displacement: -9}}"),
+            "the path ends after arc_length.max_steps = 3 steps, before arc_length.until is reached");
+  EXPECT_EQ(said("{until: {set: crown, component: y, displacement: -1}}"), "");
 }
 
 TEST(ArcLength, ThePathIsThatOfPrescribedDisplacement) {

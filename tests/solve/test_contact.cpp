@@ -79,5 +79,35 @@ steps: {end: 1e-5, count: 1}
   EXPECT_EQ(cubes.stepper.energies().scale(), 0);
 }
 
+/// A fine rod meets a coarse plate in the middle of a cell, where its particles have the widest way between.
+TEST(Contact, AFineBodyDoesNotSlipBetweenTheParticlesOfACoarseOne) {
+  for (const double h : {0.5, 0.25}) {
+    InMotion run(deck_of(fmt::format(R"(
+dimension: 3
+body:
+  - {{name: plate, shape: {{box: {{min: [0, 0, 0], max: [6, 6, 3]}}}}, spacing: 1, material: steel}}
+  - {{name: rod, shape: {{box: {{min: [{0}, {0}, 3.8], max: [{1}, {1}, 5.8]}}}}, spacing: {2}, material: steel}}
+bond_bodies: false
+horizon: {{length: 3.015}}
+materials: {{steel: {{model: elastic, young_modulus: 210e3, poisson_ratio: 0.3, density: 7.85e-9}}}}
+dynamics: explicit
+explicit: {{contact: {{}}}}
+sets: {{foot: {{where: "z < 1"}}}}
+boundary: [{{set: foot, displacement: {{x: 0, y: 0, z: 0}}}}]
+initial_velocity: [{{set: rod, velocity: {{z: -2e4}}}}]
+steps: {{end: 2e-4, count: 20}}
+history: [{{name: rod, displacement: rod, component: z}}]
+)",
+                                     3 - h / 2, 3 + h / 2, h)));
+    ASSERT_EQ(run.run(), "");
+    double lowest = 0;
+    for (const solve::StepRecord& step : run.records.steps) lowest = std::min(lowest, step.history[0]);
+    std::printf("rod of spacing %g on a plate: goes down by %.3f, ends at %.3f\n", h, lowest,
+                run.records.steps.back().history[0]);
+    EXPECT_GT(lowest, -1.6);  // the gap is 0.8
+    EXPECT_GT(run.records.steps.back().history[0], lowest + 0.5);
+  }
+}
+
 }  // namespace
 }  // namespace perinox::testing

@@ -208,7 +208,7 @@ TEST(HandOver, APassageOfAWave) {
   const mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
   // Plane stress: c^2 = E/((1 - nu^2) rho), corner to corner of the particles.
   const double c = std::sqrt(1000 / (1 - 0.3 * 0.3) / 1e-9);
-  const solve::Parts parts = solve::find_parts(scene, solve::Boundary(deck, scene));
+  const solve::Parts parts = solve::find_parts(deck, scene, solve::Boundary(deck, scene));
   EXPECT_NEAR(solve::passage_time(deck, scene, parts) * c / std::hypot(23, 5), 1, 1e-12);
   const deck::Deck light = bar_that_snaps({"fallback=none"}, "");
   EXPECT_THROW(solve::passage_time(light, scene, parts), InputError);

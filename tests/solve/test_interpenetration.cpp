@@ -165,7 +165,8 @@ body:
                     std::string(rest));
         for (const double depth : {0.0, 0.3, 0.8, 1.3, 1.8}) {
           const auto down = [&](const Point& x) { return Point{x[0], x[1] - (x[1] > 10 ? depth : 0), x[2]}; };
-          EXPECT_NEAR(faces.after(down).depth, depth, 0.1 * depth) << width << " by " << depth_of_it << ", solid " << solid;
+          EXPECT_NEAR(faces.after(down).depth, depth, 0.1 * depth)
+              << width << " by " << depth_of_it << ", solid " << solid;
         }
       }
 }

@@ -43,7 +43,7 @@ struct InitialVelocity {
 };
 /// Short-range repulsion between particles that share no bond.
 struct Contact {
-  double distance = 0.9;   ///< below which two particles repel, of their mean spacing
+  double distance = 0.9;   ///< below which two particles repel, of the larger of their spacings
   double stiffness = 1.0;  ///< of a pair, of the stiffness of a bond between them
 };
 struct Explicit {

@@ -17,6 +17,7 @@ class ArcLength : public StepControl {
   ArcLength(const deck::Deck& deck, const mechanics::Scene& scene, const Boundary& boundary, Newton& newton);
 
   bool finished() const override { return ended_ || steps_ >= settings_.max_steps; }
+  std::string unreached() const override;
   NewtonResult attempt(const mechanics::Committed& committed, int step, Observer& observer, mechanics::Trial& trial,
                        std::vector<double>& force) override;
   double tried() const override { return tried_; }
@@ -63,8 +64,9 @@ class ArcLength : public StepControl {
   int cuts_ = 0;  ///< of a step to a given t
   int steps_ = 0;
   double tried_ = 0;
-  double reached_ = 0;   ///< mean displacement of the set of `until`
-  bool landed_ = false;  ///< the last attempt ends the run
+  double reached_ = 0;         ///< mean displacement of the set of `until`
+  bool landed_ = false;        ///< the last attempt ends the run
+  bool missed_until_ = false;  ///< the last attempt lands at steps.end, though the deck has an arc_length.until
   bool ended_ = false;
   bool indefinite_ = false;  ///< as last noted
 };

@@ -8,7 +8,7 @@
 namespace perinox::solve {
 
 /// Short-range repulsion of particles that share no intact bond. Two of them at a distance r below their reach
-///     r_c = distance (h_i + h_j)/2, or their distance in the undeformed body where that is less,
+///     r_c = distance max(h_i, h_j), or their distance in the undeformed body where that is less,
 /// h being Body::spacing_of(), have the energy k (r_c - r)^2/2, k = stiffness V_i V_j (alpha_i omega(h_i) + alpha_j
 /// omega(h_j)), `stiffness` times what a bond of one spacing between the two would have: central forces, equal and
 /// opposite to the last bit.

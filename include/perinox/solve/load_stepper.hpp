@@ -77,6 +77,8 @@ class LoadStepper {
   Newton& newton() { return newton_; }
   const Energies& energies() const { return energies_; }
   const Validity& validity() const { return validity_; }
+  /// StepControl::unreached() of a run that has come to its end.
+  std::string unreached() const { return control_->unreached(); }
   /// Internal force at the committed state. [owned * dimension], force.
   const std::vector<double>& force() const { return force_; }
 
@@ -85,6 +87,9 @@ class LoadStepper {
   void begin_step();
   /// followed: equilibrium was kept on the way from the committed state, which flow may have bent.
   void commit(mechanics::Trial&& trial, std::vector<double>&& force, bool followed = false);
+  /// Energy that the given loads, held as they were, do over a step of load control whose supports do not move beyond
+  /// what the body has taken up: above 0 it would go there by itself, so that it snaps. Collective.
+  double set_free(const mechanics::Trial& trial) const;
   /// written: the fields that cost something are made too.
   void raise_energy_scale();
   StepRecord record(const NewtonResult& result, bool written);
@@ -137,6 +142,7 @@ class LoadStepper {
   int step_ = 0;
   bool restored_ = false;
   int passes_ = 0;                       ///< of the step at hand
+  double lost_by_snapping_ = 0;          ///< energy, in the step at hand
   std::optional<MotionRow> motion_;      ///< where the run may go on in time
   std::unique_ptr<HandOver> hand_over_;  ///< while the run goes on in time
   double passage_ = 0;                   ///< passage_time() before any bond broke

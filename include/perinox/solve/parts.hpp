@@ -12,14 +12,16 @@ namespace perinox::solve {
 struct Parts {
   bonds::Components components;
   std::vector<double> diagonal;  ///< [count] of the part's bounding box before loading: length
-  std::vector<char> moves;       ///< [count] 1 where some displacement of the part is free
+  /// [count] 1 where some displacement of the part is free and, where the deck breaks bonds, some of its bonds can
+  /// break.
+  std::vector<char> moves;
 
   std::size_t count() const { return diagonal.size(); }
   std::size_t of(LocalIndex i) const { return static_cast<std::size_t>(components.of[i]); }
 };
 
 /// Visits each bond once. Collective.
-Parts find_parts(const mechanics::Scene& scene, const Boundary& boundary);
+Parts find_parts(const deck::Deck& deck, const mechanics::Scene& scene, const Boundary& boundary);
 
 /// Bonds over all ranks of the parts that move; of all parts where none does. Collective.
 long long moving_bonds(const mechanics::Scene& scene, const Parts& parts);

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "perinox/deck/deck.hpp"
@@ -27,6 +28,8 @@ class StepControl {
   virtual bool cut() = 0;
   /// Undoes the cuts since the last accept(): whoever goes on from here has other settings and may pass in one step.
   virtual void forget_cuts() {}
+  /// What a finished run has not come to, a sentence; "": nothing.
+  virtual std::string unreached() const { return {}; }
   /// Share of the run that is done, for an estimate of the time left: above 0, at most 1.
   virtual double share() const = 0;
   /// What the next attempt goes on from, and the way back, the committed state being that of then. Throws
