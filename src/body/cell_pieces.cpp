@@ -101,12 +101,20 @@ std::vector<Point> samples_in(const Solid& solid, const CellBox& box) {
   return samples;
 }
 
-std::vector<CellPiece> pieces_in(const Solid& solid, const CellBox& box, double bridged) {
+bool may_be_divided(const Solid& solid, const CellBox& box) {
+  if (where(solid, box) != Where::cut) return false;
   const Solid here = reduced(solid, box);
   std::vector<Surface> surfaces;
   list_surfaces(here, surfaces);
+  return here.kind != Solid::Kind::convex && surfaces.size() > 1;
+}
+
+std::vector<CellPiece> pieces_in(const Solid& solid, const CellBox& box, double bridged) {
   std::vector<CellPiece> whole(1);
-  if (here.kind == Solid::Kind::convex || surfaces.size() < 2) return whole;
+  if (!may_be_divided(solid, box)) return whole;
+  const Solid here = reduced(solid, box);
+  std::vector<Surface> surfaces;
+  list_surfaces(here, surfaces);
   const std::vector<Point> samples = samples_in(here, box);
   whole.front().samples = samples;
   const std::vector<std::size_t> group = groups_of(here, samples, bridged);

@@ -12,6 +12,9 @@ struct CellPiece {
   std::vector<deck::Point> samples{};  ///< points of the piece, spread over it, where they were needed
 };
 
+/// False where a cell is sure to hold one piece at most.
+bool may_be_divided(const Solid& solid, const CellBox& box);
+
 /// The two lips of a slit that runs through a cell are two pieces, unless the slit is narrower than `bridged`, a
 /// length. Pieces are told apart by points on straight lines through the cell and cut out along a surface of the solid
 /// between them; what no surface divides stays one piece.

@@ -87,7 +87,7 @@ double CutCells::inside(const Cell& cell) {
   return found->second;
 }
 
-const std::vector<CutCells::Piece>& CutCells::pieces(const Cell& cell) {
+std::vector<CutCells::Piece>& CutCells::pieces_of(const Cell& cell) {
   const auto [found, fresh] = pieces_.try_emplace(key(cell));
   if (fresh) found->second = divide(cell);
   return found->second;
@@ -97,18 +97,18 @@ std::vector<CutCells::Piece> CutCells::divide(const Cell& cell) {
   const CellBox here = box(cell);
   const double bridged = bridged_gap * lattice_.spacing;
   std::vector<CellPiece> found(1);
-  if (where(solid_, here) == Where::cut) found = pieces_in(solid_, here, bridged);
+  found = pieces_in(solid_, here, bridged);
   std::vector<Piece> pieces;
   double sum = 0;
   for (CellPiece& one : found) {
-    pieces.push_back({std::move(one.solid), 0, {}});
+    pieces.push_back({std::move(one.solid), 0, {}, {}});
     pieces.back().inside = pieces.back().solid ? share_inside(*pieces.back().solid, here) : inside(cell);
     sum += pieces.back().inside;
   }
   // What the surfaces do not divide rightly stays together.
   constexpr double rounding = 1e-9;
   if (std::abs(sum - inside(cell)) > rounding) {
-    pieces.assign(1, {std::nullopt, inside(cell), {}});
+    pieces.assign(1, {std::nullopt, inside(cell), {}, {}});
     found.assign(1, {});
   }
   const bool own = found.size() == 1 && kept(cell);
@@ -118,6 +118,7 @@ std::vector<CutCells::Piece> CutCells::divide(const Cell& cell) {
     if (found[k].samples.empty() && !anywhere) found[k].samples = samples_in(solid_, here);
     pieces[k].owners = own ? std::vector<std::pair<Cell, double>>{{cell, 1.0}}
                            : owners(cell, anywhere ? std::vector<deck::Point>{} : found[k].samples);
+    if (pieces[k].owners.empty()) pieces[k].samples = std::move(found[k].samples);
   }
   return pieces;
 }
@@ -132,20 +133,16 @@ std::vector<std::pair<CutCells::Cell, double>> CutCells::owners(const Cell& cell
   around(cell, look);
   std::sort(near.begin(), near.end());
   const double bridged = bridged_gap * lattice_.spacing;
-  const auto equal_shares = [&](bool any) {
-    std::vector<std::pair<Cell, double>> owners;
-    long long least = 4;
-    for (const auto& [square, other] : near) {
-      if (square > least) break;
-      if (!any && !joined(samples, solid_, center(other), bridged)) continue;
-      least = square;
-      owners.emplace_back(other, 1);
-    }
-    for (auto& owner : owners) owner.second /= static_cast<double>(owners.size());
-    return owners;
-  };
-  std::vector<std::pair<Cell, double>> owners = equal_shares(samples.empty());
-  return owners.empty() ? equal_shares(true) : owners;
+  std::vector<std::pair<Cell, double>> owners;
+  long long least = 4;
+  for (const auto& [square, other] : near) {
+    if (square > least) break;
+    if (!samples.empty() && !joined(samples, solid_, center(other), bridged)) continue;
+    least = square;
+    owners.emplace_back(other, 1);
+  }
+  for (auto& owner : owners) owner.second /= static_cast<double>(owners.size());
+  return owners;
 }
 
 CellBox CutCells::box_around(const Cell& cell) const {
@@ -193,28 +190,37 @@ void CutCells::find_far(const Cell& lo, const Cell& hi) {
     find_far(above, hi);
     return;
   }
-  if (kept(lo) || inside(lo) == 0) return;
-  const std::vector<Piece>& found = pieces(lo);
+  if ((kept(lo) && !may_be_divided(solid_, box(lo))) || inside(lo) == 0) return;
+  std::vector<Piece>& found = pieces_of(lo);
   for (std::size_t k = 0; k < found.size(); ++k) {
     if (!found[k].owners.empty()) continue;
-    const std::vector<Cell> nearest = nearest_kept(lo);
+    // In a thin wedge or fin the particles that are joined to it may be farther away than others across a gap.
+    constexpr long long shells = 4;
+    std::vector<Cell> nearest;
+    if (!found[k].samples.empty()) nearest = nearest_kept(lo, shells, found[k].samples);
+    if (nearest.empty()) found[k].owners = owners(lo, {});
+    if (nearest.empty() && found[k].owners.empty()) nearest = nearest_kept(lo, farthest(), {});
     for (const Cell& own : nearest) far_[key(own)].push_back({lo, k, 1 / static_cast<double>(nearest.size())});
   }
 }
 
+long long CutCells::farthest() const { return std::max({lattice_.cells[0], lattice_.cells[1], lattice_.cells[2]}) + 1; }
+
 /// By shells of cells around it.
-std::vector<CutCells::Cell> CutCells::nearest_kept(const Cell& cell) const {
-  const long long farthest = std::max({lattice_.cells[0], lattice_.cells[1], lattice_.cells[2]}) + 1;
+std::vector<CutCells::Cell> CutCells::nearest_kept(const Cell& cell, long long shells,
+                                                   const std::vector<deck::Point>& samples) const {
+  const double bridged = bridged_gap * lattice_.spacing;
   std::vector<Cell> nearest;
   long long least = std::numeric_limits<long long>::max();
   const long long flat = lattice_.dimension == 3 ? 1 : 0;
-  for (long long r = 2; r <= farthest && r * r <= least; ++r)
+  for (long long r = 2; r <= shells && r * r <= least; ++r)
     for (long long z = -r * flat; z <= r * flat; ++z)
       for (long long y = -r; y <= r; ++y)
         for (long long x = -r; x <= r; x += std::max(std::abs(y), std::abs(z)) == r ? 1 : 2 * r) {
           const long long square = x * x + y * y + z * z;
           const Cell other{cell[0] + x, cell[1] + y, cell[2] + z};
           if (square > least || !kept(other)) continue;
+          if (!samples.empty() && !joined(samples, solid_, center(other), bridged)) continue;
           if (square < least) nearest.clear();
           least = square;
           nearest.push_back(other);

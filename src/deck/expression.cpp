@@ -81,6 +81,19 @@ void check_names(const std::string& formula, const mu::Parser& parser, const Loc
   }
 }
 
+/// Characters of other languages, said before what stands behind them is found odd.
+void check_characters(const std::string& formula, const Location& where) {
+  for (std::size_t i = 0; i < formula.size(); ++i) {
+    const std::string two = formula.substr(i, 2);
+    const bool compared = i > 0 && std::string("=<>!").find(formula[i - 1]) != std::string::npos;
+    if (formula[i] == ';') refuse_formula(where, formula, i, "a formula has no ;: join conditions with && or ||");
+    if (formula[i] == '#') refuse_formula(where, formula, i, "a formula has no comment: close its quotes before the #");
+    if (formula[i] == '%') refuse_formula(where, formula, i, "% has no meaning in a formula; write a plain number");
+    if (!compared && two == "=>") refuse_formula(where, formula, i, "write >= for 'at least'");
+    if (!compared && two == "=<") refuse_formula(where, formula, i, "write <= for 'at most'");
+  }
+}
+
 /// Operators that muParser would read otherwise than the user meant: `x = 1` assigns, `0 < z < 1` compares a truth
 /// value, `&` and `|` are half an operator, and a comma outside a function drops everything before it.
 void check_operators(const std::string& formula, const Location& where) {
@@ -171,6 +184,7 @@ Expression::Expression(std::string formula, const Location& where) : text_(std::
     refuse(where, fmt::format("the formula has {} characters; at most {} are read", text_.size(), longest_formula));
   }
   auto compiled = std::make_shared<Compiled>();
+  check_characters(text_, where);
   check_names(text_, compiled->parser, where);
   check_operators(text_, where);
   try {

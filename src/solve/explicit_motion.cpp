@@ -142,6 +142,7 @@ void ExplicitMotion::start_moving() {
   evaluate();
   accelerate();
   work_ -= lag(masses_, acceleration_, d, last_step_);
+  trial_.stored += trial_.dissipated;  // flow that a break has set off is the first time step's
   at_start_ = scene_.body().communicator.sum(trial_.stored + contact_energy_);
 }
 

@@ -112,6 +112,7 @@ HandOver::Result HandOver::run(mechanics::Committed& state, Observer& observer, 
   for (;;) {
     const double dt = motion_->stable_time_step();
     if (!std::isfinite(dt)) {  // nothing is free to move
+      motion_->begin(0);       // for the energies and forces of where it stands
       result_.at_rest = true;
       break;
     }

@@ -103,7 +103,7 @@ RunRecord run_one(const Study& study, const Prepared& one) {
     }
   }
   fs::remove_all(other);
-  if (best.outcome.status < 128) write_record(one.folder, best);
+  if (best.outcome.status < 128 && !was_told_to_stop(best.reason)) write_record(one.folder, best);
   return best;
 }
 
@@ -160,7 +160,8 @@ void attempt(Row& row, const Work& work) {
   try {
     work();
   } catch (const RunError& error) {
-    if (row.reason.empty()) row.reason = error.what();
+    const std::string reason = error.what();
+    if (row.reason.find(reason) == std::string::npos) row.reason += (row.reason.empty() ? "" : "; ") + reason;
   }
 }
 

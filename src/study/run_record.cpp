@@ -122,13 +122,19 @@ std::string fingerprint(const deck::Deck& deck, int ranks, int repetitions) {
 
 std::string reason_in(const std::string& error_file) {
   std::istringstream lines(text_of(error_file));
-  std::string first;
+  std::string first, said;  // the last of what it says is why it ended
   for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("perinox: ", 0) == 0) return line.substr(9);
+    if (line.rfind("perinox: ", 0) == 0) said = line.substr(9);
     if (line.rfind("note: ", 0) == 0 || line.rfind("warning: ", 0) == 0) continue;
     if (first.empty()) first = line;
   }
-  return first;
+  return said.empty() ? first : said;
+}
+
+bool was_told_to_stop(const std::string& reason) {
+  for (const char* signal : {"SIGTERM", "SIGINT", "SIGUSR1"})
+    if (reason.find(std::string(signal) + " was received") != std::string::npos) return true;
+  return false;
 }
 
 long long bonds_in(const std::string& output_file) {

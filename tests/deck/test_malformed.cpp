@@ -191,6 +191,13 @@ const Mistake mistakes[] = {
      "the formula 'z = 6.5' cannot be read at character 3: write == to compare"},
     {"formula_with_chained_comparison", base, "\"z > 6.5\"", "\"6 < z < 7\"", "19:17",
      "the formula '6 < z < 7' cannot be read at character 7: comparisons cannot be chained; write a < x && x < b"},
+    {"formula_with_at_least_turned_round", base, "\"z > 6.5\"", "\"z => 6.5\"", "19:17",
+     "the formula 'z => 6.5' cannot be read at character 3: write >= for 'at least'"},
+    {"formula_with_semicolon", base, "\"z > 6.5\"", "\"z > 6.5; y > 1\"", "19:17",
+     "the formula 'z > 6.5; y > 1' cannot be read at character 8: a formula has no ;: join conditions with && or ||"},
+    {"formula_with_comment", base, "\"z > 6.5\"", "\"z > 6.5 # top\"", "19:17",
+     "the formula 'z > 6.5 # top' cannot be read at character 9: a formula has no comment: close its quotes before the "
+     "#"},
     {"formula_empty", base, "\"0.3*t\"", "\"\"", "23:23",
      "the formula is empty; write a number or a formula of x, y, z and t"},
     {"set_with_time", base, "\"z > 6.5\"", "\"z > 6.5 + t\"", "19:17",

@@ -129,6 +129,35 @@ history: [{name: right, reaction: right, component: y}, {name: left, reaction: l
   EXPECT_NEAR(found[1], 0, 1e-9);
 }
 
+/// Where a slit leaves the body at a slant a lip ends in a wedge whose tip has no particles around it but those across
+/// the slit: it belongs to its own, farther away.
+TEST(GapLoads, TheTipOfAWedgeBelongsToItsOwnLip) {
+  const auto loads = [](const std::string& pressed) {
+    return answer(R"(
+dimension: plane-strain
+body:
+  - name: b
+    shape: {difference: [{box: {min: [0, 0], max: [12, 10]}}, {cylinder: {start: [-18, 18], end: [7, 8], radius: 0.25}}]}
+    spacing: 1
+    material: m
+horizon: {ratio: 3.015}
+materials: {m: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3}}
+sets: {lo: {where: "y-10+0.4*(x-2) < 0 && x<5"}, hi: {where: "y-10+0.4*(x-2) > 0 && x<5"}}
+boundary:
+  - {set: all, displacement: {x: 0, y: 0}}
+  - {set: )" + pressed +
+                  R"(, pressure: 1}
+steps: {end: 1, count: 1}
+history: [{name: hix, reaction: hi, component: x}, {name: hiy, reaction: hi, component: y}, {name: lox, reaction: lo, component: x}, {name: loy, reaction: lo, component: y}]
+)");
+  };
+  const std::vector<double> low = loads("lo"), high = loads("hi");
+  EXPECT_NEAR(low[0], 0, 1e-10);
+  EXPECT_NEAR(low[1], 0, 1e-10);
+  EXPECT_NEAR(high[2], 0, 1e-10);
+  EXPECT_NEAR(high[3], 0, 1e-10);
+}
+
 /// A slit one spacing wide, pressed open, at eight places in the cells.
 TEST(GapLoads, APressedSlitOpensAlikeWhereverItLies) {
   double least = 1e9, most = 0;

@@ -91,6 +91,11 @@ TEST(RunRecord, TakesReasonAndBondsFromWhatTheRunSaid) {
   EXPECT_EQ(reason_in(folder / "error"), "stopped at t = 0.5");
   folder.write("error", "note: a remark\ndeck.yaml:3:1: wrong\n");
   EXPECT_EQ(reason_in(folder / "error"), "deck.yaml:3:1: wrong");
+  folder.write("error",
+               "perinox: SIGTERM: stops after the step at hand\nperinox: stopped after step 3: SIGTERM was received\n");
+  EXPECT_EQ(reason_in(folder / "error"), "stopped after step 3: SIGTERM was received");
+  EXPECT_TRUE(was_told_to_stop(reason_in(folder / "error")));
+  EXPECT_FALSE(was_told_to_stop("stopped at t = 0.5"));
   folder.write("out", "title\n  3-D: 1 particles\n  84288 directed bonds, 28 to 122 a family\n");
   EXPECT_EQ(bonds_in(folder / "out"), 84288);
   folder.write("out", "title\n");

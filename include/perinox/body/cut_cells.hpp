@@ -50,6 +50,7 @@ class CutCells {
     std::optional<Solid> solid{};                   ///< the piece's part of the shape; none: all that is in the cell
     double inside = 0;                              ///< over a whole cell's volume
     std::vector<std::pair<Cell, double>> owners{};  ///< cells of the particles that stand for it, and their shares
+    std::vector<deck::Point> samples{};             ///< points of a piece that no particle around is joined to
   };
   /// What the cell's particle stands for: visit(cell, piece, share).
   template <class Visit>
@@ -64,11 +65,10 @@ class CutCells {
   deck::Point center(const Cell& cell) const;
   /// The cell and those around it.
   CellBox box_around(const Cell& cell) const;
-  const std::vector<Piece>& pieces(const Cell& cell);
+  std::vector<Piece>& pieces_of(const Cell& cell);
   std::vector<Piece> divide(const Cell& cell);
   /// Cells with particles that stand for a piece of a cell: its own, or the nearest of those around it that no gap
-  /// divides from the piece; where a gap does from all of them, the nearest. samples: of the piece; none: all of them
-  /// are joined to it.
+  /// divides from the piece. samples: of the piece; none: all of them are joined to it.
   std::vector<std::pair<Cell, double>> owners(const Cell& cell, const std::vector<deck::Point>& samples) const;
   /// Nothing of the shape is in the cell or touches it.
   bool empty(const Cell& cell) const;
@@ -80,7 +80,9 @@ class CutCells {
   };
   void find_far();
   void find_far(const Cell& lo, const Cell& hi);
-  std::vector<Cell> nearest_kept(const Cell& cell) const;
+  /// samples: of what the cells' particles have to be joined to; none: to nothing.
+  std::vector<Cell> nearest_kept(const Cell& cell, long long shells, const std::vector<deck::Point>& samples) const;
+  long long farthest() const;
 
   Lattice lattice_;
   Solid solid_;
@@ -105,16 +107,16 @@ template <class Visit>
 void CutCells::visit_owned(const Cell& own, const Visit& visit) {
   const auto visit_cell = [&](const Cell& cell, long long) {
     if (empty(cell)) return;
-    for (const Piece& piece : pieces(cell))
+    for (const Piece& piece : pieces_of(cell))
       for (const auto& [owner, share] : piece.owners)
         if (owner == own) visit(cell, piece, share);
   };
+  find_far();  // what has no owner around gets its owners there
   visit_cell(own, 0);
   around(own, visit_cell);
-  find_far();
   const auto found = far_.find(key(own));
   if (found == far_.end()) return;
-  for (const Far& far : found->second) visit(far.cell, pieces(far.cell)[far.piece], far.share);
+  for (const Far& far : found->second) visit(far.cell, pieces_of(far.cell)[far.piece], far.share);
 }
 
 }  // namespace perinox::body

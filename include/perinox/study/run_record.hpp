@@ -24,6 +24,9 @@ std::optional<RunRecord> read_record(const std::string& folder);
 /// ranks and of repetitions, and the program itself.
 std::string fingerprint(const deck::Deck& deck, int ranks, int repetitions);
 
+/// True of the reason of a run that stopped after a step because somebody sent it a signal.
+bool was_told_to_stop(const std::string& reason);
+
 /// The sentence by which a run says why it failed, from what it wrote to standard error.
 std::string reason_in(const std::string& error_file);
 /// Directed bonds, from the report of the scene at the head of a run's standard output; 0 if it is not there.
