@@ -151,6 +151,7 @@ boundary:
   - {set: crown, force: {y: "-3000*t"}}
 steps: {end: 1, count: 20, max_cuts: 6}
 fallback: explicit
+hand_over: {kinetic_share: 0.05}
 history: [{name: crown, displacement: crown, component: y}]
 )"));
   ASSERT_EQ(run.stopped, "");
