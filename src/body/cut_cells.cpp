@@ -96,8 +96,7 @@ std::vector<CutCells::Piece>& CutCells::pieces_of(const Cell& cell) {
 std::vector<CutCells::Piece> CutCells::divide(const Cell& cell) {
   const CellBox here = box(cell);
   const double bridged = bridged_gap * lattice_.spacing;
-  std::vector<CellPiece> found(1);
-  found = pieces_in(solid_, here, bridged);
+  std::vector<CellPiece> found = pieces_in(solid_, here, bridged);
   std::vector<Piece> pieces;
   double sum = 0;
   for (CellPiece& one : found) {

@@ -19,7 +19,8 @@ class Condition {
 
   /// True where the value at the point is not zero. slack: length, at least 0. Used by one thread at a time.
   bool holds(const std::array<double, 3>& point, double slack) const;
-  /// True where a value that the last holds() compared, or the whole condition, was not a number at the point.
+  /// True where the last holds() hung on something that is not a number at the point: a comparison whose other answer
+  /// would have changed the condition's, or the condition itself.
   bool undefined() const;
 
  private:

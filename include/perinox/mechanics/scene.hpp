@@ -66,9 +66,11 @@ class Scene {
   /// history is kept plainly: that of particle i's bonds begins at bond_history()[i] [owned + 1].
   bool from_sums() const { return from_sums_; }
   const std::vector<std::int64_t>& bond_history() const { return bond_history_; }
-  /// True if any particle's material, of this rank or of any, carries plastic extension in the sweeps' own order.
-  bool plastic_here() const { return plastic_here_; }
+  /// True if any particle's material carries plastic extension in the sweeps' own order: alike on every rank, as
+  /// collective work has to go by.
   bool plastic() const { return plastic_; }
+  /// The same of this rank's own particles, for work that no other rank takes part in.
+  bool plastic_here() const { return plastic_here_; }
   /// True if bonds keep their reference direction: no geometric term anywhere.
   bool small_strain() const { return small_strain_; }
 
