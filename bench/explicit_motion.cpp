@@ -18,8 +18,8 @@
 #include <stdexcept>
 
 #include "perinox/deck/read.hpp"
-#include "perinox/solve/bond_breaking.hpp"
-#include "perinox/solve/time_stepper.hpp"
+#include "perinox/fracture/bond_breaking.hpp"
+#include "perinox/stepping/time_stepper.hpp"
 
 namespace {
 
@@ -77,7 +77,7 @@ struct Moving {
         stepper(deck, scene),
         length(stepper.motion().stable_time_step()) {
     if ((scene.lattice() == nullptr) != (c.cloud != 0)) throw std::logic_error("the body has not the layout meant");
-    if (deck.breaks()) breaking = std::make_unique<solve::BondBreaking>(deck, scene);
+    if (deck.breaks()) breaking = std::make_unique<fracture::BondBreaking>(deck, scene);
     for (int k = 0; k < (c.plastic ? 60 : 3); ++k) step();
   }
   void step() {
@@ -86,8 +86,8 @@ struct Moving {
   }
   deck::Deck deck;
   mechanics::Scene scene;
-  solve::TimeStepper stepper;
-  std::unique_ptr<solve::BondBreaking> breaking;
+  stepping::TimeStepper stepper;
+  std::unique_ptr<fracture::BondBreaking> breaking;
   double length;
 };
 

@@ -17,10 +17,10 @@
 #include <random>
 #include <stdexcept>
 
+#include "mechanics/matrix_free_tangent.hpp"
 #include "perinox/deck/read.hpp"
 #include "perinox/mechanics/assembled_tangent.hpp"
 #include "perinox/mechanics/internal_force.hpp"
-#include "perinox/mechanics/matrix_free_tangent.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 /// product.
 ///     bench_partition [EDGE] [PARTS ...]      default 256 and 64 512 4096; one rank; about 400 bytes a particle
 /// Prints the tables of docs/partition.md.
-#include "perinox/body/partition.hpp"
+#include "body/partition.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

@@ -4,7 +4,7 @@
 /// end, eight particles thick). keys: nu, cell (edge over horizon), level (1: block Jacobi only), bulk_limit, spring,
 /// weight, ratio (horizon over spacing), dilatation (share of it in D), smoothing (degree), direct (coarse unknowns
 /// that are factorised), fitted (1: quadrature: position-aware), steps (products an iteration, odd).
-#include "perinox/solve/two_level.hpp"
+#include "linear/two_level.hpp"
 
 #include <fmt/format.h>
 
@@ -15,13 +15,13 @@
 #include <map>
 #include <random>
 
-#include "perinox/app/commands.hpp"
+#include "linear/chebyshev_acceleration.hpp"
+#include "linear/masked_tangent.hpp"
+#include "mechanics/matrix_free_tangent.hpp"
 #include "perinox/deck/read.hpp"
+#include "perinox/loads/boundary.hpp"
+#include "perinox/materials/material.hpp"
 #include "perinox/mechanics/assembled_tangent.hpp"
-#include "perinox/mechanics/matrix_free_tangent.hpp"
-#include "perinox/solve/boundary.hpp"
-#include "perinox/solve/chebyshev_acceleration.hpp"
-#include "perinox/solve/masked_tangent.hpp"
 
 namespace {
 
@@ -112,7 +112,7 @@ deck::Deck make_deck(const std::string& scene, int n, const Options& options) {
           ? fmt::format("  soft: {{model: elastic, young_modulus: 1, poisson_ratio: {}}}\n", options.number("nu", 0.33))
           : "",
       more, boundary);
-  return deck::read_text(yaml, "bench.yaml", app::full_schema());
+  return deck::read_text(yaml, "bench.yaml", materials::full_schema());
 }
 
 void run(int argc, char** argv) {
@@ -126,16 +126,16 @@ void run(int argc, char** argv) {
   const Communicator ranks(MPI_COMM_WORLD);
   const deck::Deck deck = make_deck(name, n, options);
   const mechanics::Scene scene = mechanics::build_scene(deck, ranks);
-  const solve::Boundary boundary(deck, scene);
+  const loads::Boundary boundary(deck, scene);
   const std::vector<char>& fixed = boundary.prescribed();
   const mechanics::Committed committed(scene);
   mechanics::MatrixFreeTangent tangent(scene);
   const std::size_t unknowns = scene.owned_unknowns();
   tangent.linearise(committed, committed.displacement().data(), deck::TangentForm::consistent);
   Vector blocks(unknowns * static_cast<std::size_t>(scene.dimension()));
-  tangent.diagonal_blocks(blocks.data(), options.number("dilatation", solve::TwoLevel::dilatation_share(scene)));
+  tangent.diagonal_blocks(blocks.data(), options.number("dilatation", linear::TwoLevel::dilatation_share(scene)));
 
-  solve::TwoLevel::Settings settings;
+  linear::TwoLevel::Settings settings;
   settings.cell = options.number("cell", settings.cell);
   settings.finer_cell = options.number("cell", settings.finer_cell);
   settings.bulk_limit = options.number("bulk_limit", settings.bulk_limit);
@@ -145,15 +145,15 @@ void run(int argc, char** argv) {
   settings.factorised_up_to =
       static_cast<long long>(options.number("direct", static_cast<double>(settings.factorised_up_to)));
   const double start = now();
-  solve::TwoLevel two_level(mechanics::unknowns_map(scene.body()), scene, fixed, scene.bond_graph(), settings);
+  linear::TwoLevel two_level(mechanics::unknowns_map(scene.body()), scene, fixed, scene.bond_graph(), settings);
   const double gridded = now();
   two_level.set(blocks, 1.0);
   const double built = now();
   const bool one_level = options.number("level", 2) == 1;
 
   const int steps = static_cast<int>(options.number("steps", 1));
-  const solve::MaskedTangent masked(two_level.getDomainMap(), tangent, fixed);
-  solve::ChebyshevAcceleration accelerated(two_level.getDomainMap(), scene.body(), fixed, masked, two_level, steps);
+  const linear::MaskedTangent masked(two_level.getDomainMap(), tangent, fixed);
+  linear::ChebyshevAcceleration accelerated(two_level.getDomainMap(), scene.body(), fixed, masked, two_level, steps);
   if (steps > 1) accelerated.estimate();
 
   const auto dot = [&](const Vector& a, const Vector& b) {

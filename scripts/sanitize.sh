@@ -1,17 +1,15 @@
 #!/usr/bin/env bash
 # Builds unit tests with clang's address, undefined-behaviour and leak sanitisers and runs them:
-#   scripts/sanitize.sh [room ...]    of core deck body bonds materials mechanics solve output study, in this order: a room
-#                                     needs those before it; fuzz, the fuzzers' corpus, needs the first five. Default: all
-#                                     of these, and the MPI tests on 2 ranks
+#   scripts/sanitize.sh [tests ...]   folders of tests/: rooms, fuzz (the fuzzers' corpus), mpi (on 2 ranks). Default: all
+#                                     of these
 # PERINOX_JOBS: compilers and tests at a time (1). Prints what ran; exit status 1 if a test fails, reports or ends before
 # its last line. docs/testing.md.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-every=(solve mechanics mpi study output materials fuzz bonds body deck core) # the longest first
+every=(stepping mechanics motion fracture mpi equilibrium loads linear study output materials grid fuzz bonds body deck core) # the longest first
 
 tests=("$@")
-wanted=$(IFS=';'; echo "$*")
 [ $# -gt 0 ] || tests=("${every[@]}")
 jobs=${PERINOX_JOBS:-1}
 build_dir=${PERINOX_BUILD_DIR:-$source_dir/build-sanitize}
@@ -21,7 +19,7 @@ mpi_environment
 
 say "building the tests of ${tests[*]} with sanitisers in $build_dir, $jobs at a time"
 began=$SECONDS
-(cd "$source_dir" && cmake --preset sanitize -B "$build_dir" "-DPERINOX_ROOMS=$wanted" >"$build_dir.log" 2>&1) || {
+(cd "$source_dir" && cmake --preset sanitize -B "$build_dir" >"$build_dir.log" 2>&1) || {
   cat "$build_dir.log" >&2
   stop "the configuration failed, see above"
 }
@@ -34,9 +32,7 @@ printf 'built in %d s\n' $((SECONDS - began))
 
 # The sweeps that every machine can run have all checks; those of the other instruction sets run against the stored bonds.
 export PERINOX_INSTRUCTIONS=baseline
-# In two halves, because it is the longest by far.
-programs=("${tests[@]/#solve/solve_0}")
-case " ${tests[*]} " in *" solve "*) programs=(solve_1 "${programs[@]}") ;; esac
+programs=("${tests[@]}")
 case " ${tests[*]} " in *" mechanics "*) programs+=(mechanics_avx2 mechanics_avx512) ;; esac
 export LSAN_OPTIONS=suppressions=$source_dir/fuzz/leaks.supp:print_suppressions=0
 # tests/main.cpp looks for leaks before MPI_Finalize, which unloads the libraries that leaks.supp names.
@@ -45,7 +41,6 @@ run_one() { # name: its log and, in .row, its line of the table
   local name=$1 log=$build_dir/$1.log began=$SECONDS status=0 launcher=() filter=* passed attempt
   case $name in
     mpi) launcher=(mpirun -np 2) ;;
-    solve_*) launcher=(env GTEST_TOTAL_SHARDS=2 "GTEST_SHARD_INDEX=${name#*_}") ;;
     mechanics_*) filter='*Layouts*/?0:*Layouts*/?5' launcher=(env "PERINOX_INSTRUCTIONS=${name#*_}") ;;
   esac
   # LeakSanitizer's own thread can crash where a thread of Open MPI's ends while it looks. It says so, and then has looked

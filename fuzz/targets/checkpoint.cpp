@@ -11,9 +11,9 @@
 
 #include "../targets.hpp"
 #include "accepted.hpp"
-#include "broken_table.hpp"
-#include "checkpoint_seal.hpp"
-#include "hdf5_handle.hpp"
+#include "fracture/broken_table.hpp"
+#include "output/checkpoint_seal.hpp"
+#include "output/hdf5_handle.hpp"
 #include "perinox/core/restored.hpp"
 #include "perinox/output/checksum.hpp"
 #include "small_body.hpp"
@@ -232,11 +232,11 @@ std::string made_of(Bytes& bytes, const body::Body& body, const std::string& bas
   content.table("/fracture/broken/values", {1, 0, 3, 1}, 4, 0, H5T_NATIVE_DOUBLE);
   content.group("/fracture/broken_extension");
   content.choose();
-  constexpr double size = solve::broken_extension_size;
+  constexpr double size = fracture::broken_extension_size;
   content.table("/fracture/broken_extension/count", {size, 0, 0, size, 0, 0, 0, 0}, particles, 0, H5T_NATIVE_INT);
   content.choose();
-  content.table("/fracture/broken_extension/values", std::vector<double>(2 * solve::broken_extension_size, 0.1),
-                2 * solve::broken_extension_size, 0, H5T_NATIVE_DOUBLE);
+  content.table("/fracture/broken_extension/values", std::vector<double>(2 * fracture::broken_extension_size, 0.1),
+                2 * fracture::broken_extension_size, 0, H5T_NATIVE_DOUBLE);
   return content.sealed();
 }
 
@@ -262,7 +262,7 @@ void demand_finite(const std::vector<double>& values) {
 }
 
 /// What the rest of the program builds on without looking again.
-void demand_bonds(const std::vector<solve::BrokenEntry>& table, const body::Body& body) {
+void demand_bonds(const std::vector<fracture::BrokenEntry>& table, const body::Body& body) {
   std::set<std::pair<long long, long long>> seen;
   for (const auto& [lower, upper, round] : table) {
     demand(lower >= 0 && lower < upper && upper < body.total, "a broken bond of particles that are not there");
@@ -294,8 +294,8 @@ bool read_back(const std::string& path, const body::Body& body) {
       received += values.size();
     });
     demand(listed == received, "lists of other lengths than they say");
-    demand_bonds(solve::read_broken_table(body, reader), body);
-    const std::vector<bonds::BrokenExtension> extension = solve::read_broken_extension(reader);
+    demand_bonds(fracture::read_broken_table(body, reader), body);
+    const std::vector<bonds::BrokenExtension> extension = fracture::read_broken_extension(reader);
     demand(extension.empty() || extension.size() == count, "another number of particles with broken bonds");
     reader.integer("a/integer");
     const int whole = restored_count(reader, "a/integer", 1000);

@@ -1,10 +1,10 @@
-#include "perinox/body/cloud.hpp"
+#include "body/cloud.hpp"
 
 #include <cmath>
 
 #include "../targets.hpp"
 #include "accepted.hpp"
-#include "perinox/body/neighbor_count.hpp"
+#include "body/neighbor_count.hpp"
 #include "perinox/body/neighbor_search.hpp"
 #include "perinox/body/spacing.hpp"
 

@@ -1,6 +1,6 @@
 #include "../targets.hpp"
 #include "accepted.hpp"
-#include "perinox/body/lattice.hpp"
+#include "body/lattice.hpp"
 #include "perinox/deck/read.hpp"
 #include "perinox/materials/material.hpp"
 

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
-#include "perinox/app/commands.hpp"
-#include "perinox/app/scene_report.hpp"
+#include "commands.hpp"
 #include "perinox/deck/read.hpp"
 #include "perinox/deck/remarks.hpp"
-#include "perinox/solve/bond_limits.hpp"
-#include "perinox/solve/boundary.hpp"
-#include "perinox/solve/plastic_stretch.hpp"
-#include "perinox/solve/time_stepper.hpp"
+#include "perinox/fracture/bond_limits.hpp"
+#include "perinox/loads/boundary.hpp"
+#include "perinox/stepping/plastic_stretch.hpp"
+#include "perinox/stepping/time_stepper.hpp"
+#include "scene_report.hpp"
 
 namespace perinox::app {
 
@@ -53,14 +53,14 @@ std::string load_steps_in_words(const Problem& problem, const Communicator& comm
 /// Time step, number of time steps, cost; empty for a quasi-static deck. Collective.
 std::string motion_in_words(Problem& problem, const Communicator& communicator) {
   if (problem.deck.dynamics != deck::Dynamics::explicit_) return "";
-  solve::TimeStepper stepper(problem.deck, problem.scene);
-  const solve::TimeStepPlan plan = stepper.plan();
+  stepping::TimeStepper stepper(problem.deck, problem.scene);
+  const stepping::TimeStepPlan plan = stepper.plan();
   const double seconds = static_cast<double>(plan.time_steps) * seconds_of_a_sweep(problem, communicator);
   std::string text = fmt::format(
       "motion in time\n  {} time steps of {:.4g}; the largest stable one is {:.4g}\n  about {:.3g} core seconds, as "
       "long as nothing flows\n",
       plan.time_steps, plan.length, plan.stable, seconds);
-  if (const solve::Contact* contact = stepper.motion().contact())
+  if (const motion::Contact* contact = stepper.motion().contact())
     text += fmt::format("  contact: {} exposed particles are watched\n",
                         communicator.sum(static_cast<long long>(contact->exposed())));
   text += remark_on(seconds, "steps.end");
@@ -70,31 +70,31 @@ std::string motion_in_words(Problem& problem, const Communicator& communicator) 
 
 /// A warning where the prescribed displacements stretch what flows farther than its law holds for; else empty.
 /// Collective.
-std::string stretch_in_words(const Problem& problem, const solve::Boundary& boundary) {
-  if (!solve::flows_finitely(problem.scene)) return "";
-  const solve::BondStretch found = solve::largest_prescribed_stretch(problem.deck, problem.scene, boundary);
-  if (found.stretch <= solve::most_plastic_stretch) return "";
+std::string stretch_in_words(const Problem& problem, const loads::Boundary& boundary) {
+  if (!stepping::flows_finitely(problem.scene)) return "";
+  const stepping::BondStretch found = stepping::largest_prescribed_stretch(problem.deck, problem.scene, boundary);
+  if (found.stretch <= stepping::most_plastic_stretch) return "";
   return fmt::format(
       "  warning: at t = {:.6g} the prescribed displacements stretch a material that flows by {:.3g} % about ({:g}, "
       "{:g}, {:g}); {}\n",
-      found.t, 100 * found.stretch, found.place[0], found.place[1], found.place[2], solve::consequence_of_stretch());
+      found.t, 100 * found.stretch, found.place[0], found.place[1], found.place[2], stepping::consequence_of_stretch());
 }
 
 }  // namespace
 
 int check(const Options& options, const Communicator& communicator) {
   Problem problem = prepare(options, communicator);
-  const solve::Boundary boundary(problem.deck, problem.scene);
+  const loads::Boundary boundary(problem.deck, problem.scene);
   say_remarks(problem, boundary, communicator);
   if (communicator.is_root())
-    for (const std::string& remark : deck::remarks_on_fields(problem.deck, full_schema()))
+    for (const std::string& remark : deck::remarks_on_fields(problem.deck, materials::full_schema()))
       fmt::print(stderr, "note: {}\n", remark);
   const std::string steps = load_steps_in_words(problem, communicator);
   const std::string in_time = motion_in_words(problem, communicator);
   const std::string stretch = stretch_in_words(problem, boundary);
   std::string damage;
   if (problem.deck.breaks())
-    for (const std::string& line : solve::describe(solve::bond_limits(problem.deck, problem.scene), problem.deck))
+    for (const std::string& line : fracture::describe(fracture::bond_limits(problem.deck, problem.scene), problem.deck))
       damage += fmt::format("  {}\n", line);
   if (!communicator.is_root() || options.quiet) return 0;
   fmt::print("{}{}", problem.report.summary, problem.report.details);

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <sstream>
 
+#include "perinox/core/clock.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/deck/read.hpp"
+#include "perinox/materials/material.hpp"
 #include "stop_signal.hpp"
 
 namespace perinox::app {
@@ -25,8 +26,8 @@ constexpr double most_writing = 20;
 /// The longest time from one moment to the next, of late: a long one is forgotten slowly, so that one short one after
 /// it does not make the run reckless. Moves `last` on to now.
 double of_late(double longest, double& last) {
-  const double now = steady_seconds(), since = now - last;
-  last = now;
+  const double moment = now(), since = moment - last;
+  last = moment;
   return std::max(since, 0.8 * longest);
 }
 
@@ -60,10 +61,6 @@ std::string word(const std::string& text) {
 
 }  // namespace
 
-double steady_seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 Restart restart_of(const Options& options) {
   Restart from;
   from.file =
@@ -83,7 +80,7 @@ std::optional<Restart> find_restart(const Options& options, const deck::Deck& de
                            deck.file, sentence);
   communicator.agree_on_input_error(sentence);
   try {
-    const deck::Deck before = deck::read_saved(from.head.deck, "the deck in " + from.file, full_schema());
+    const deck::Deck before = deck::read_saved(from.head.deck, "the deck in " + from.file, materials::full_schema());
     sentence = deck::refuse_changes(deck::changed_keys(before.resolved, deck.resolved), deck, from.file, from.head.t);
   } catch (const InputError& error) {
     sentence =
@@ -108,11 +105,11 @@ Checkpointing::Checkpointing(const Options& options, const deck::Deck& deck, std
       files_(output::file_fingerprints(deck, communicator_)),
       file_((fs::path(directory) / "checkpoint.h5").string(), body),
       begin_(begin),
-      last_(steady_seconds()),
+      last_(now()),
       last_pass_(last_),
       last_write_(last_) {}
 
-void Checkpointing::committed(const solve::StepRecord& record) {
+void Checkpointing::committed(const StepRecord& record) {
   const bool never = !possible_ || asked_.every == 0;
   const bool due = !never && (record.last || (asked_.every ? record.step % *asked_.every == 0 : late()));
   if (due) write(record.step, record.t, false);
@@ -125,12 +122,12 @@ void Checkpointing::committed(const solve::StepRecord& record) {
       fmt::format("stopped after step {}, t = {:.10g} of {:g}: {}", record.step, record.t, deck_.steps.end, reason));
 }
 
-void Checkpointing::stopping(const solve::StepRecord& last) {
+void Checkpointing::stopping(const StepRecord& last) {
   if (possible_ && asked_.every != 0 && last_step_ != last.step) write(last.step, last.t, false);
 }
 
 bool Checkpointing::late() const {
-  return communicator_.any(steady_seconds() - last_write_ >= std::max(asked_.seconds, most_writing * writing_));
+  return communicator_.any(now() - last_write_ >= std::max(asked_.seconds, most_writing * writing_));
 }
 
 void Checkpointing::passing(int step, double t) {
@@ -144,7 +141,7 @@ void Checkpointing::passing(int step, double t) {
 }
 
 void Checkpointing::write(int step, double t, bool within) {
-  const double before = steady_seconds();
+  const double before = now();
   const output::RunWriter::Continuation tables = writer_.sync(step);
   const Profile::Scope timed(communicator_.profile(), Section::output);
   output::CheckpointHead head;
@@ -159,7 +156,7 @@ void Checkpointing::write(int step, double t, bool within) {
   file_.write(head, save_);
   ++count_;
   last_step_ = within ? -1 : step;
-  last_write_ = steady_seconds();
+  last_write_ = now();
   writing_ = last_write_ - before;
 }
 
@@ -175,7 +172,7 @@ std::string Checkpointing::reason_to_stop(double seconds) const {
     return fmt::format("{} was received", number == 1 ? "SIGTERM" : number == 2 ? "SIGINT" : "SIGUSR1");
   }
   if (!asked_.time_limit) return "";
-  const bool late = steady_seconds() - begin_ + seconds > *asked_.time_limit;
+  const bool late = now() - begin_ + seconds > *asked_.time_limit;
   if (!communicator_.any(late)) return "";
   return fmt::format("another step may not end before steps.time_limit = {:g} s", *asked_.time_limit);
 }

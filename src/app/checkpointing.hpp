@@ -3,11 +3,11 @@
 #include <optional>
 #include <string>
 
-#include "perinox/app/commands.hpp"
+#include "commands.hpp"
+#include "perinox/core/record.hpp"
 #include "perinox/deck/restart.hpp"
 #include "perinox/output/checkpoint.hpp"
 #include "perinox/output/run_writer.hpp"
-#include "perinox/solve/record.hpp"
 
 namespace perinox::app {
 
@@ -35,11 +35,11 @@ class Checkpointing {
                 output::RunWriter& writer, const body::Body& body, const std::string& directory, double begin);
 
   /// To be called after every committed step. Collective. Throws RunError to stop the run.
-  void committed(const solve::StepRecord& record);
+  void committed(const StepRecord& record);
 
   /// To be called when the run is about to stop at a committed step. Collective. Throws RunError if a checkpoint cannot
   /// be written.
-  void stopping(const solve::StepRecord& last);
+  void stopping(const StepRecord& last);
 
   /// To be called between time steps of a step that has not been committed. step: the last that has. Collective. Throws
   /// RunError to stop the run.
@@ -72,8 +72,5 @@ class Checkpointing {
   int count_ = 0;                                             ///< checkpoints written
   int last_step_ = -1;                                        ///< that was checkpointed between steps
 };
-
-/// Seconds of the steady clock.
-double steady_seconds();
 
 }  // namespace perinox::app

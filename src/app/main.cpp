@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-#include "perinox/app/commands.hpp"
+#include "commands.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/deck/read.hpp"
 #include "perinox/study/child_process.hpp"

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "perinox/app/scene_report.hpp"
 #include "perinox/deck/remarks.hpp"
+#include "scene_report.hpp"
 
 namespace perinox::app {
 
@@ -16,7 +16,7 @@ Problem prepare(deck::Deck deck, const Communicator& communicator) {
   return {std::move(deck), std::move(scene), std::move(report)};
 }
 
-void say_remarks(const Problem& problem, const solve::Boundary& boundary, const Communicator& communicator) {
+void say_remarks(const Problem& problem, const loads::Boundary& boundary, const Communicator& communicator) {
   if (!communicator.is_root()) return;
   std::vector<std::string> all = deck::remarks(problem.deck);
   for (const auto& material : problem.scene.materials())

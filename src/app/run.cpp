@@ -8,15 +8,16 @@
 #include <type_traits>
 
 #include "checkpointing.hpp"
-#include "perinox/app/commands.hpp"
-#include "perinox/app/scene_report.hpp"
+#include "commands.hpp"
+#include "perinox/core/clock.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/mechanics/scene.hpp"
 #include "perinox/output/directory_lock.hpp"
 #include "perinox/output/profile_table.hpp"
 #include "perinox/output/run_writer.hpp"
-#include "perinox/solve/load_stepper.hpp"
-#include "perinox/solve/time_stepper.hpp"
+#include "perinox/stepping/load_stepper.hpp"
+#include "perinox/stepping/time_stepper.hpp"
+#include "scene_report.hpp"
 #include "stop_signal.hpp"
 
 namespace perinox::app {
@@ -30,13 +31,13 @@ constexpr double worth_a_warning_of_chords = 0.05;
 constexpr double worth_a_warning_in_time = 0.01;
 
 /// What the states that were reached have that the model does not hold for.
-void say_doubts(const solve::Validity& validity, const Communicator& communicator) {
+void say_doubts(const stepping::Validity& validity, const Communicator& communicator) {
   if (!communicator.is_root()) return;
   for (const std::string& sentence : validity.at_end()) fmt::print(stderr, "warning: {}\n", sentence);
 }
 
 /// What to say of a share that is missing; nothing if it is small.
-std::string remark_on(double gap, const mechanics::Scene& scene, const solve::Energies& e) {
+std::string remark_on(double gap, const mechanics::Scene& scene, const stepping::Energies& e) {
   const std::string what = fmt::format("the external work is {:.2g} % {} than what is stored and dissipated",
                                        100 * std::abs(gap), gap > 0 ? "more" : "less");
   gap = std::abs(gap);
@@ -109,9 +110,9 @@ void run_into(Stepper& stepper, const Problem& problem, const Options& options, 
                               : std::make_unique<output::RunWriter>(problem.deck, body, directory, options.quiet);
   const auto save = [&](StateWriter& to) { stepper.save(to); };
   Checkpointing checkpoints(options, problem.deck, save, *writer, body, directory, begin);
-  stepper.on_commit([&](const solve::StepRecord& record) { checkpoints.committed(record); });
-  if constexpr (std::is_same_v<Stepper, solve::LoadStepper>)
-    stepper.on_stop([&](const solve::StepRecord& last) { checkpoints.stopping(last); });
+  stepper.on_commit([&](const StepRecord& record) { checkpoints.committed(record); });
+  if constexpr (std::is_same_v<Stepper, stepping::LoadStepper>)
+    stepper.on_stop([&](const StepRecord& last) { checkpoints.stopping(last); });
   stepper.on_passing([&](int step, double t) { checkpoints.passing(step, t); });
   const ProfileReading before = communicator.profile().read();
   const auto say_times = [&] {
@@ -132,7 +133,7 @@ void run_into(Stepper& stepper, const Problem& problem, const Options& options, 
 
 int run_in_time(Problem& problem, const Options& options, const Communicator& communicator,
                 const std::optional<Restart>& from, double begin) {
-  solve::TimeStepper stepper(problem.deck, problem.scene);
+  stepping::TimeStepper stepper(problem.deck, problem.scene);
   if (from) {
     output::CheckpointReader reader(from->file, problem.scene.body());
     stepper.restore(reader);
@@ -140,7 +141,7 @@ int run_in_time(Problem& problem, const Options& options, const Communicator& co
   const std::string remark = stepper.plan().remark;
   if (communicator.is_root() && !remark.empty()) fmt::print(stderr, "warning: {}\n", remark);
   run_into(stepper, problem, options, communicator, from, begin);
-  const solve::MotionEnergies& e = stepper.energies();
+  const motion::MotionEnergies& e = stepper.energies();
   if (communicator.is_root() && !options.quiet)
     fmt::print(
         "done: kinetic {:.6g}, stored {:.6g}, dissipated {:.6g}, damped {:.6g}, released {:.6g}, in contacts {:.6g}, "
@@ -158,7 +159,7 @@ int run_in_time(Problem& problem, const Options& options, const Communicator& co
 }  // namespace
 
 int run(const Options& options, const Communicator& communicator) {
-  const double begin = steady_seconds();
+  const double begin = now();
   deck::Deck deck = read_deck(options, communicator);
   const std::unique_ptr<output::DirectoryLock> lock = lock_directory(options, communicator);
   const std::optional<Restart> from = find_restart(options, deck, communicator);
@@ -166,13 +167,13 @@ int run(const Options& options, const Communicator& communicator) {
   note_stop_signals(communicator.is_root());
   if (problem.deck.dynamics == deck::Dynamics::explicit_)
     return run_in_time(problem, options, communicator, from, begin);
-  solve::LoadStepper stepper(problem.deck, problem.scene);
+  stepping::LoadStepper stepper(problem.deck, problem.scene);
   if (from) {
     output::CheckpointReader reader(from->file, problem.scene.body());
     stepper.restore(reader);
   }
   run_into(stepper, problem, options, communicator, from, begin);
-  const solve::Energies& e = stepper.energies();
+  const stepping::Energies& e = stepper.energies();
   const double gap = e.unaccounted();
   if (communicator.is_root() && !options.quiet)
     fmt::print(

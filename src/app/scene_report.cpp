@@ -1,4 +1,4 @@
-#include "perinox/app/scene_report.hpp"
+#include "scene_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "perinox/body/overlap.hpp"
+#include "perinox/linear/coarse_spacing.hpp"
 #include "perinox/mechanics/family_loops.hpp"
-#include "perinox/solve/coarse_spacing.hpp"
 
 namespace perinox::app {
 
@@ -68,11 +68,11 @@ std::string tangent_choice(const deck::Solver& solver, double matrix, double unk
 /// What the Krylov method takes at once, and why; empty where it is one product. Collective.
 std::string steps_choice(const deck::Solver& solver, const mechanics::Scene& scene) {
   if (solver.assembled() || solver.linear.preconditioner == deck::Preconditioner::none) return "";
-  const int asked = solver.linear.chebyshev_steps, steps = asked > 0 ? asked : solve::chebyshev_steps(scene);
+  const int asked = solver.linear.chebyshev_steps, steps = asked > 0 ? asked : linear::chebyshev_steps(scene);
   if (steps == 1) return "";
   if (asked > 0) return fmt::format("  {} products in one linear iteration: the deck asks for it\n", steps);
   return fmt::format("  {} products in one linear iteration: kappa/mu is {:.3g}, nearly incompressible\n", steps,
-                     solve::largest_bulk_over_shear(scene));
+                     linear::largest_bulk_over_shear(scene));
 }
 
 /// Sums over the ranks that the report needs.
@@ -197,7 +197,7 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   // the finer cells): about.
   const std::string steps = steps_choice(deck.solver, scene);
   const double solving = particles *
-                         (14 * d + d * d + (solve::finer_cells_pay(scene) ? 40 : 16) + (steps.empty() ? 0 : 3 * d)) *
+                         (14 * d + d * d + (linear::finer_cells_pay(scene) ? 40 : 16) + (steps.empty() ? 0 : 3 * d)) *
                          sizeof(double);
   // Two families wide: a sphere of twice the horizon holds 8 (2-D: 4) families, less its thin rim.
   const double matrix = bonds * (d == 3 ? 6.8 : 3.7) * d * d * 12;

@@ -4,9 +4,10 @@
 
 #include <filesystem>
 
-#include "perinox/app/commands.hpp"
+#include "commands.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/deck/declared.hpp"
+#include "perinox/materials/material.hpp"
 #include "perinox/study/child_process.hpp"
 
 namespace perinox::app {
@@ -20,7 +21,7 @@ int study(study::Request request) {
   if (request.output.empty())
     request.output =
         (std::filesystem::path("results") / "studies" / std::filesystem::path(request.file).stem()).string();
-  return study::conduct(request, full_schema());
+  return study::conduct(request, materials::full_schema());
 }
 
 int study_keys(const Communicator& communicator) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "perinox/app/commands.hpp"
-#include "perinox/app/scene_report.hpp"
+#include "commands.hpp"
 #include "perinox/mechanics/tangent_check.hpp"
-#include "perinox/solve/load_stepper.hpp"
+#include "perinox/stepping/load_stepper.hpp"
+#include "scene_report.hpp"
 
 namespace perinox::app {
 
@@ -25,7 +25,7 @@ int verify(const Options& options, const Communicator& communicator) {
   if (deck.dynamics == deck::Dynamics::explicit_)
     deck::refuse(deck.resolved.at("dynamics").location(),
                  "verify follows a quasi-static run; give --set dynamics=quasi-static, or another deck");
-  solve::LoadStepper stepper(deck, scene);
+  stepping::LoadStepper stepper(deck, scene);
   const bool talk = communicator.is_root() && !options.quiet;
   say_remarks(problem, stepper.boundary(), communicator);
   const bool with_assembled = communicator.sum(scene.families().directed) <= assembled_bonds;
@@ -55,7 +55,7 @@ int verify(const Options& options, const Communicator& communicator) {
     fmt::print("\n");
     std::fflush(stdout);
   });
-  solve::Observer nobody;
+  Observer nobody;
   stepper.run(nobody);
 
   const bool holds =

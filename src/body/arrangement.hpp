@@ -3,7 +3,7 @@
 /// split.
 #include <vector>
 
-#include "perinox/body/cut_cells.hpp"
+#include "cut_cells.hpp"
 #include "perinox/body/solid.hpp"
 
 namespace perinox::body {

@@ -6,18 +6,18 @@
 #include <cmath>
 #include <functional>
 
-#include "perinox/body/cloud.hpp"
-#include "perinox/body/ghosts.hpp"
-#include "perinox/body/lattice.hpp"
-#include "perinox/body/lengths.hpp"
-#include "perinox/body/named_sets.hpp"
-#include "perinox/body/neighbor_count.hpp"
+#include "cloud.hpp"
+#include "ghosts.hpp"
+#include "lattice.hpp"
+#include "lengths.hpp"
+#include "named_sets.hpp"
+#include "neighbor_count.hpp"
+#include "partition.hpp"
 #include "perinox/body/neighbor_search.hpp"
 #include "perinox/body/overlap.hpp"
-#include "perinox/body/partition.hpp"
-#include "perinox/body/size.hpp"
 #include "perinox/body/spacing.hpp"
 #include "perinox/body/together.hpp"
+#include "size.hpp"
 
 namespace perinox::body {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "cut_cells.hpp"
 #include "facets.hpp"
 #include "perinox/body/body.hpp"
 #include "perinox/body/crack_surface.hpp"
-#include "perinox/body/cut_cells.hpp"
 
 namespace perinox::body {
 

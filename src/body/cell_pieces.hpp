@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "perinox/body/cut_cells.hpp"
+#include "cut_cells.hpp"
 
 namespace perinox::body {
 

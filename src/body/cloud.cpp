@@ -1,4 +1,4 @@
-#include "perinox/body/cloud.hpp"
+#include "cloud.hpp"
 
 #include <fmt/format.h>
 

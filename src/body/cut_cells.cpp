@@ -1,4 +1,4 @@
-#include "perinox/body/cut_cells.hpp"
+#include "cut_cells.hpp"
 
 #include <algorithm>
 #include <cmath>

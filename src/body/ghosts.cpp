@@ -1,4 +1,4 @@
-#include "perinox/body/ghosts.hpp"
+#include "ghosts.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "perinox/body/lattice.hpp"
+#include "lattice.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "perinox/body/cut_cells.hpp"
+#include "cut_cells.hpp"
 #include "perinox/body/shape.hpp"
-#include "perinox/body/size.hpp"
 #include "perinox/body/together.hpp"
+#include "size.hpp"
 
 namespace perinox::body {
 

@@ -1,4 +1,4 @@
-#include "perinox/body/lengths.hpp"
+#include "lengths.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "perinox/body/named_sets.hpp"
+#include "named_sets.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "perinox/body/neighbor_count.hpp"
+#include "neighbor_count.hpp"
 
 #include <algorithm>
 #include <array>

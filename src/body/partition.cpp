@@ -1,4 +1,4 @@
-#include "perinox/body/partition.hpp"
+#include "partition.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Zoltan2_BasicVectorAdapter.hpp>

@@ -1,4 +1,4 @@
-#include "perinox/body/size.hpp"
+#include "size.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "perinox/body/lattice.hpp"
+#include "lattice.hpp"
 #include "perinox/body/shape.hpp"
 
 namespace perinox::body {

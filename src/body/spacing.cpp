@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud.hpp"
 #include "perinox/body/body.hpp"
-#include "perinox/body/cloud.hpp"
-#include "perinox/body/size.hpp"
 #include "perinox/body/together.hpp"
+#include "size.hpp"
 
 namespace perinox::body {
 

@@ -33,8 +33,8 @@ class BondRule {
   const body::Body& body_;
   double horizon_;
   std::vector<double> spacing_, rounding_;  ///< [owned + ghosts] length; of the particle's neighbours, its coordinates
-  std::vector<CubicFactor> factor_;  ///< of each different lattice spacing; the first is of clouds: 1
-  std::vector<int> factor_of_;       ///< [bodies of the deck]
+  std::vector<CubicFactor> factor_;         ///< of each different lattice spacing; the first is of clouds: 1
+  std::vector<int> factor_of_;              ///< [bodies of the deck]
 };
 
 /// A bond's contribution to the weighted volume; a bond without one carries nothing and is left out.

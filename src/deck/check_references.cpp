@@ -4,7 +4,7 @@
 #include <map>
 
 #include "convert.hpp"
-#include "perinox/deck/history_columns.hpp"
+#include "history_columns.hpp"
 #include "perinox/deck/scalar.hpp"
 
 namespace perinox::deck {

@@ -1,6 +1,6 @@
 #pragma once
-/// What a refusal adds about the remedy: "; write {tension: 203.1}", or "" where nothing is known. What users bring along
-/// from other programs and from habit is known here by name.
+/// What a refusal adds about the remedy: "; write {tension: 203.1}", or "" where nothing is known. What users bring
+/// along from other programs and from habit is known here by name.
 #include <string>
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "perinox/materials/elastic.hpp"
+#include "elastic.hpp"
 
 #include <fmt/format.h>
 

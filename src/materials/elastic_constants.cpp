@@ -1,4 +1,4 @@
-#include "perinox/materials/elastic_constants.hpp"
+#include "elastic_constants.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
-#include "perinox/materials/elastic_plastic.hpp"
+#include "elastic_plastic.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "perinox/materials/plane_plastic.hpp"
+#include "plane_plastic.hpp"
 
 namespace perinox::materials {
 

@@ -1,4 +1,4 @@
-#include "perinox/materials/hardening_curve.hpp"
+#include "hardening_curve.hpp"
 
 #include <fmt/format.h>
 

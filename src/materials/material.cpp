@@ -20,6 +20,8 @@ bool add_model(Model model) {
   return true;
 }
 
+deck::Schema full_schema() { return deck::Schema(declarations()); }
+
 std::vector<deck::ModelDeclaration> declarations() {
   std::vector<deck::ModelDeclaration> all;
   for (const auto& [name, model] : registry()) all.push_back(model.declaration);

@@ -1,4 +1,4 @@
-#include "perinox/materials/plane_plastic.hpp"
+#include "plane_plastic.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "perinox/mechanics/matrix_free_tangent.hpp"
+#include "matrix_free_tangent.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "stored_force.hpp"
 
-#include "perinox/mechanics/kinematics.hpp"
+#include "kinematics.hpp"
 
 namespace perinox::mechanics {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "perinox/mechanics/kinematics.hpp"
+#include "kinematics.hpp"
 
 namespace perinox::mechanics {
 

@@ -1,4 +1,4 @@
-#include "perinox/output/agree.hpp"
+#include "agree.hpp"
 
 #include "perinox/core/error.hpp"
 

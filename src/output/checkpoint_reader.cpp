@@ -13,7 +13,7 @@
 #include "perinox/core/error.hpp"
 #include "perinox/output/checkpoint.hpp"
 #include "perinox/output/checksum.hpp"
-#include "perinox/output/row_lists.hpp"
+#include "row_lists.hpp"
 
 namespace perinox::output {
 

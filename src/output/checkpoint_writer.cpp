@@ -9,14 +9,14 @@
 #include <filesystem>
 #include <set>
 
+#include "agree.hpp"
 #include "checkpoint_seal.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/deck/read.hpp"
-#include "perinox/output/agree.hpp"
 #include "perinox/output/checkpoint.hpp"
 #include "perinox/output/checksum.hpp"
-#include "perinox/output/reserve.hpp"
-#include "perinox/output/row_lists.hpp"
+#include "reserve.hpp"
+#include "row_lists.hpp"
 
 namespace perinox::output {
 

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-#include "perinox/output/agree.hpp"
+#include "agree.hpp"
 
 namespace perinox::output {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "perinox/output/agree.hpp"
+#include "agree.hpp"
 
 namespace perinox::output {
 

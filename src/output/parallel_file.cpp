@@ -1,11 +1,11 @@
-#include "perinox/output/parallel_file.hpp"
+#include "parallel_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "agree.hpp"
 #include "hdf5_handle.hpp"
-#include "perinox/output/agree.hpp"
 
 namespace perinox::output {
 

@@ -1,4 +1,4 @@
-#include "perinox/output/reserve.hpp"
+#include "reserve.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

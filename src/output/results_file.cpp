@@ -1,4 +1,4 @@
-#include "perinox/output/results_file.hpp"
+#include "results_file.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <utility>
 
+#include "agree.hpp"
+#include "parallel_file.hpp"
 #include "perinox/core/error.hpp"
-#include "perinox/output/agree.hpp"
-#include "perinox/output/parallel_file.hpp"
-#include "perinox/output/reserve.hpp"
 #include "perinox/output/results_reader.hpp"
+#include "reserve.hpp"
 
 namespace perinox::output {
 
@@ -182,9 +182,9 @@ void ResultsFile::rename_copy(const std::string& written) const {
   agree_on_run_error(communicator_, error ? path_ + " cannot be replaced: " + error.message() : std::string());
 }
 
-void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve::Field>& fields) {
+void ResultsFile::write(const StepRecord& record, const std::vector<Field>& fields) {
   double columns = 0;
-  for (const solve::Field& field : fields) columns += std::max(1, XdmfIndex::columns_of(field.components));
+  for (const Field& field : fields) columns += std::max(1, XdmfIndex::columns_of(field.components));
   const std::string written = copy_if_small();
   try {
     require_room(columns * static_cast<double>(order_.total()), written);
@@ -202,7 +202,7 @@ void ResultsFile::write(const solve::StepRecord& record, const std::vector<solve
   file.set_attribute(group, "load", record.t);
   file.set_attribute(group, "newton_iterations", static_cast<GlobalId>(record.newton_iterations));
   file.set_attribute(group, "linear_iterations", static_cast<GlobalId>(record.linear_iterations));
-  for (const solve::Field& field : fields) {
+  for (const Field& field : fields) {
     const int width = XdmfIndex::columns_of(field.components);
     const std::vector<double> rows = order_.to_rows(field.values, field.components);
     const std::string name = group + "/" + field.name;
@@ -239,7 +239,7 @@ std::vector<std::string> ResultsFile::name_components(ParallelFile& file, int st
   return names;
 }
 
-void ResultsFile::write(const solve::MotionPhase& phase) {
+void ResultsFile::write(const MotionPhase& phase) {
   const std::string written = copy_if_small();
   ParallelFile file(written, communicator_, ParallelFile::Mode::append);
   if (!file.has("/phases")) file.make_group("/phases");

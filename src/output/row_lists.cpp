@@ -1,4 +1,4 @@
-#include "perinox/output/row_lists.hpp"
+#include "row_lists.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "agree.hpp"
 #include "not_finite.hpp"
-#include "perinox/output/agree.hpp"
 
 namespace perinox::output {
 

@@ -1,4 +1,4 @@
-#include "perinox/output/row_order.hpp"
+#include "row_order.hpp"
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-#include "perinox/output/run_directory.hpp"
+#include "run_directory.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "agree.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/deck/read.hpp"
-#include "perinox/output/agree.hpp"
-#include "perinox/output/results_file.hpp"
-#include "perinox/output/run_directory.hpp"
 #include "perinox/output/tables.hpp"
-#include "perinox/output/terminal.hpp"
+#include "results_file.hpp"
+#include "run_directory.hpp"
+#include "terminal.hpp"
 
 namespace perinox::output {
 
@@ -53,8 +53,8 @@ struct RunWriter::Files {
   }
 
   /// The carried fields that were asked for, in the order asked; says once which are not there.
-  std::vector<solve::Field> chosen(const std::vector<solve::Field>& carried) {
-    std::vector<solve::Field> fields;
+  std::vector<Field> chosen(const std::vector<Field>& carried) {
+    std::vector<Field> fields;
     for (const std::string& name : asked_fields) {
       const auto found = std::find_if(carried.begin(), carried.end(), [&](const auto& f) { return f.name == name; });
       if (found != carried.end())
@@ -151,7 +151,7 @@ RunWriter::Continuation RunWriter::sync(int step) {
 
 RunWriter::~RunWriter() = default;
 
-void RunWriter::newton_iteration(const solve::NewtonIteration& row) {
+void RunWriter::newton_iteration(const NewtonIteration& row) {
   Files& files = *files_;
   const Profile::Scope timed(files.communicator.profile(), Section::output);
   if (row.step != files.current_step) files.attempt = 1;
@@ -165,23 +165,23 @@ void RunWriter::step_rejected(double t_from, double t_to, const std::string& rea
   if (files_->terminal) files_->terminal->step_rejected(t_from, t_to, reason);
 }
 
-void RunWriter::bonds_broken(const solve::BreakingPass& pass) {
+void RunWriter::bonds_broken(const BreakingPass& pass) {
   ++files_->attempt;
   if (files_->terminal) files_->terminal->bonds_broken(pass);
 }
 
-void RunWriter::phase_begins(const solve::MotionPhase& phase) {
+void RunWriter::phase_begins(const MotionPhase& phase) {
   if (files_->terminal) files_->terminal->phase_begins(phase);
 }
 
-void RunWriter::phase_ended(const solve::MotionPhase& phase) {
+void RunWriter::phase_ended(const MotionPhase& phase) {
   const Profile::Scope timed(files_->communicator.profile(), Section::output);
   if (files_->terminal) files_->terminal->phase_ended(phase);
   files_->results->write(phase);
   files_->phases = phase.number;
 }
 
-void RunWriter::moves(const solve::MotionMoment& moment) {
+void RunWriter::moves(const MotionMoment& moment) {
   if (files_->terminal) files_->terminal->moves(moment);
 }
 
@@ -189,19 +189,19 @@ void RunWriter::note(const std::string& sentence) {
   if (files_->terminal) files_->terminal->say("  " + sentence);
 }
 
-void RunWriter::write(const solve::StepRecord& record) {
+void RunWriter::write(const StepRecord& record) {
   Files& files = *files_;
   if (record.step % files.every == 0 || record.last) files.results->write(record, files.chosen(record.fields));
   if (files.history) files.history->row(record);
   files.agree_on_tables();
 }
 
-void RunWriter::run_begins(const solve::StepRecord& record) {
+void RunWriter::run_begins(const StepRecord& record) {
   const Profile::Scope timed(files_->communicator.profile(), Section::output);
   write(record);
 }
 
-void RunWriter::step_committed(const solve::StepRecord& record) {
+void RunWriter::step_committed(const StepRecord& record) {
   Files& files = *files_;
   const Profile::Scope timed(files.communicator.profile(), Section::output);
   files.current_step = 0;
@@ -210,7 +210,7 @@ void RunWriter::step_committed(const solve::StepRecord& record) {
   if (files.terminal) files.terminal->step_committed(record);
 }
 
-void RunWriter::run_stopped(const solve::StepRecord* last) {
+void RunWriter::run_stopped(const StepRecord* last) {
   Files& files = *files_;
   const Profile::Scope timed(files.communicator.profile(), Section::output);
   if (last && (last->step % files.every != 0 || last->step > files.committed_step))

@@ -1,4 +1,4 @@
-#include "perinox/output/stretch.hpp"
+#include "stretch.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

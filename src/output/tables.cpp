@@ -92,7 +92,7 @@ std::string HistoryTable::header(const std::vector<std::string>& names, Columns 
          (columns.phases ? ",phases,cause,phase_time,phase_energy" : "") + (columns.overlap ? ",overlap" : "");
 }
 
-void HistoryTable::row(const solve::StepRecord& record) {
+void HistoryTable::row(const StepRecord& record) {
   std::string line = fmt::format("{},{:.17g}", record.step, record.t);
   for (const double value : record.history) line += fmt::format(",{:.17g}", value);
   line += fmt::format(",{:.17g},{:.17g},{:.17g},{},{},{:.17g},{}", record.stored_energy, record.dissipated_energy,
@@ -100,12 +100,12 @@ void HistoryTable::row(const solve::StepRecord& record) {
                       record.profile.count_of(Section::product));
   for (const Section section : columns) line += fmt::format(",{:.6g}", record.profile.seconds_of(section));
   if (columns_.fracture) {
-    const solve::FractureRow row = record.fracture.value_or(solve::FractureRow());
+    const FractureRow row = record.fracture.value_or(FractureRow());
     line += fmt::format(",{},{},{:.17g},{:.17g},{},{}", row.passes, row.broken_bonds, row.released_energy,
                         row.relaxed_energy, row.fragments, row.single_particles);
   }
   if (columns_.motion) {
-    const solve::MotionRow row = record.motion.value_or(solve::MotionRow());
+    const MotionRow row = record.motion.value_or(MotionRow());
     line += fmt::format(",{:.17g},{},{:.17g},{:.17g},{:.17g}", row.time, row.time_steps, row.kinetic_energy,
                         row.damped_energy, row.contact_energy);
     if (columns_.phases)
@@ -123,7 +123,7 @@ std::string ConvergenceTable::header() {
          "step_length";
 }
 
-void ConvergenceTable::row(const solve::NewtonIteration& row, int attempt) {
+void ConvergenceTable::row(const NewtonIteration& row, int attempt) {
   file_.append(fmt::format("{},{:.17g},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{},{:.17g},{:.17g}", row.step, row.t,
                            attempt, row.iteration, row.residual, row.relative_residual, row.update, row.relative_update,
                            row.linear_iterations, row.forcing, row.step_length));

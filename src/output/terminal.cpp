@@ -1,4 +1,4 @@
-#include "perinox/output/terminal.hpp"
+#include "terminal.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -43,7 +43,7 @@ void Terminal::print(const std::string& lines) {
 
 void Terminal::say(const std::string& line) { print(line + "\n"); }
 
-void Terminal::newton_iteration(const solve::NewtonIteration& row, int attempt) {
+void Terminal::newton_iteration(const NewtonIteration& row, int attempt) {
   std::string lines;
   if (row.iteration == 0) {
     lines = fmt::format("\nstep {}{}   t = {:.6g}\n{:>11}{:>13}{:>12}{:>13}{:>12}{:>9}{:>11}\n", row.step,
@@ -63,17 +63,17 @@ void Terminal::step_rejected(double t_from, double t_to, const std::string& reas
   print(fmt::format("  rejected, t = {:.6g} to {:.6g}: {}\n", t_from, t_to, reason));
 }
 
-void Terminal::bonds_broken(const solve::BreakingPass& pass) {
+void Terminal::bonds_broken(const BreakingPass& pass) {
   print(fmt::format("  pass {} at t = {:.6g}: {} of {} critical bonds broken, the worst at {:.4g} of its limit\n",
                     pass.pass, pass.t, pass.broken, pass.critical, pass.worst));
 }
 
-void Terminal::phase_begins(const solve::MotionPhase& phase) {
+void Terminal::phase_begins(const MotionPhase& phase) {
   print(fmt::format("  goes on in time from t = {:.6g}: {}\n", phase.t_begin, phase.reason));
   last_ = Clock::now();
 }
 
-void Terminal::moves(const solve::MotionMoment& moment) {
+void Terminal::moves(const MotionMoment& moment) {
   const auto now = Clock::now();
   if (std::chrono::duration<double>(now - last_).count() < seconds_between_moments_) return;
   last_ = now;
@@ -84,7 +84,7 @@ void Terminal::moves(const solve::MotionMoment& moment) {
                   moment.damped_energy, plural(moment.broken_bonds, "broken bond")));
 }
 
-void Terminal::phase_ended(const solve::MotionPhase& phase) {
+void Terminal::phase_ended(const MotionPhase& phase) {
   print(
       fmt::format("  {} at t = {:.6g} after {:.4g} of time in {} time steps: {} bonds broken, {:.4g} of energy "
                   "released and {:.4g} damped, {:.1e} of it not accounted for\n",
@@ -92,7 +92,7 @@ void Terminal::phase_ended(const solve::MotionPhase& phase) {
                   phase.broken_bonds, phase.released_energy, phase.damped_energy, phase.unaccounted_share));
 }
 
-void Terminal::step_committed(const solve::StepRecord& record) {
+void Terminal::step_committed(const StepRecord& record) {
   last_ = Clock::now();
   const std::string left = record.last ? "" : fmt::format(", about {} left", duration(record.remaining_seconds));
   end_ = fmt::format(" of {:.6g}", record.end);

@@ -1,4 +1,4 @@
-#include "perinox/output/xdmf.hpp"
+#include "xdmf.hpp"
 
 #include <fmt/format.h>
 

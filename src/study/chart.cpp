@@ -1,4 +1,4 @@
-#include "perinox/study/chart.hpp"
+#include "chart.hpp"
 
 #include <cairo-svg.h>
 #include <cairo.h>
@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "perinox/core/error.hpp"
-#include "perinox/study/scale.hpp"
+#include "scale.hpp"
 
 namespace perinox::study {
 

@@ -8,13 +8,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <thread>
 
+#include "perinox/core/clock.hpp"
 #include "perinox/core/error.hpp"
 
 extern char** environ;
@@ -64,7 +64,7 @@ Outcome run_child(const std::vector<std::string>& command, const std::string& ou
   const int nothing = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
   const int out = ::open(output_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   const int error = ::open(error_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin = now();
   const pid_t parent = ::getpid();
   const pid_t child = out < 0 || error < 0 || nothing < 0 ? -1 : ::fork();
   if (child == 0) {
@@ -85,7 +85,7 @@ Outcome run_child(const std::vector<std::string>& command, const std::string& ou
   while (::wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
   }
   Outcome outcome;
-  outcome.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  outcome.wall_seconds = now() - begin;
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   outcome.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   outcome.peak_megabytes = static_cast<double>(usage.ru_maxrss) / 1024;

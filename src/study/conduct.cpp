@@ -13,8 +13,8 @@
 #include "perinox/deck/read.hpp"
 #include "perinox/output/directory_lock.hpp"
 #include "perinox/output/table_reader.hpp"
-#include "perinox/study/report.hpp"
-#include "perinox/study/run_record.hpp"
+#include "report.hpp"
+#include "run_record.hpp"
 
 namespace perinox::study {
 

@@ -1,4 +1,4 @@
-#include "perinox/study/fit.hpp"
+#include "fit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "perinox/study/formula.hpp"
+#include "formula.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 /// Private to the study room: measures of history.csv.
 #include <string>
 
-#include "perinox/study/measuring.hpp"
+#include "measuring.hpp"
 
 namespace perinox::study {
 

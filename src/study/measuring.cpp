@@ -1,4 +1,4 @@
-#include "perinox/study/measuring.hpp"
+#include "measuring.hpp"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,12 @@
 #include <optional>
 
 #include "history_measure.hpp"
+#include "nearby_fit.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/deck/condition.hpp"
 #include "perinox/deck/scalar.hpp"
 #include "perinox/output/results_reader.hpp"
 #include "perinox/output/table_reader.hpp"
-#include "perinox/study/nearby_fit.hpp"
 
 namespace perinox::study {
 

@@ -1,4 +1,4 @@
-#include "perinox/study/nearby_fit.hpp"
+#include "nearby_fit.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

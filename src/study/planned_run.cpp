@@ -1,4 +1,4 @@
-#include "perinox/study/planned_run.hpp"
+#include "planned_run.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "perinox/study/plotting.hpp"
+#include "plotting.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "perinox/study/report.hpp"
+#include "report.hpp"
 
 #include <fmt/format.h>
 

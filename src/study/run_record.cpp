@@ -1,4 +1,4 @@
-#include "perinox/study/run_record.hpp"
+#include "run_record.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "perinox/study/run_table.hpp"
+#include "run_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "perinox/study/scale.hpp"
+#include "scale.hpp"
 
 #include <fmt/format.h>
 

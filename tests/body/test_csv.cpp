@@ -1,7 +1,7 @@
 /// Point clouds and the reading of CSV files: what is accepted, and where the rest is refused.
 #include <limits>
 
-#include "perinox/body/cloud.hpp"
+#include "body/cloud.hpp"
 #include "perinox/body/csv.hpp"
 #include "support/bodies.hpp"
 

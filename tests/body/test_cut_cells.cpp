@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "perinox/body/cut_cells.hpp"
+#include "body/cut_cells.hpp"
 #include "support/measured.hpp"
 #include "surface_sums.hpp"
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <set>
 
-#include "perinox/body/lattice.hpp"
+#include "body/lattice.hpp"
 #include "perinox/body/shape.hpp"
 #include "support/bodies.hpp"
 

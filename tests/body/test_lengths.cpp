@@ -1,5 +1,5 @@
 /// Lengths that cannot belong together are refused at the key that is wrong, and others are not.
-#include "perinox/body/lengths.hpp"
+#include "body/lengths.hpp"
 #include "support/bodies.hpp"
 
 namespace perinox::body {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "perinox/body/neighbor_count.hpp"
+#include "body/neighbor_count.hpp"
 #include "perinox/body/neighbor_search.hpp"
 
 namespace perinox::body {

@@ -1,9 +1,9 @@
 /// Bodies that overlap: refused, or the later one wins; what only touches is left alone.
 #include <cmath>
 
-#include "perinox/app/commands.hpp"
 #include "perinox/body/overlap.hpp"
 #include "perinox/deck/read.hpp"
+#include "perinox/materials/material.hpp"
 #include "support/bodies.hpp"
 #include "support/measured.hpp"
 
@@ -73,7 +73,7 @@ body:
 horizon: {ratio: 3.015}
 materials: {m: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3}}
 )",
-                                            "deck.yaml", app::full_schema(), {});
+                                            "deck.yaml", materials::full_schema(), {});
     const Body body = build_body(deck);
     std::array<double, 2> sums{};
     for (LocalIndex i = 0; i < body.owned; ++i) sums[static_cast<std::size_t>(body.part[i])] += body.volume[i];

@@ -1,5 +1,5 @@
 /// What cannot be computed is refused before anything is allocated for it, with the estimate.
-#include "perinox/body/size.hpp"
+#include "body/size.hpp"
 #include "support/bodies.hpp"
 
 namespace perinox::body {

@@ -37,7 +37,8 @@ const FileMistake mistakes_in_files[] = {
     {"cloud_not_a_number", "cloud.csv", "0,1,0,1", "0,nan,0,1",
      "{dir}/cloud.csv:4:3: nan is not a finite number (column y)"},
     {"cloud_separated_by_semicolons", "cloud.csv", "", "x;y;z;volume\n0;0;0;1\n",
-     "{dir}/cloud.csv:1:1: x;y;z;volume is not a column of a point cloud; the columns are x, y, z, volume, separated by "
+     "{dir}/cloud.csv:1:1: x;y;z;volume is not a column of a point cloud; the columns are x, y, z, volume, separated "
+     "by "
      "commas"},
     {"mesh_for_a_cloud", "cloud.csv", "", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n",
      "deck.yaml:2:36: the file cloud.csv (file) is a Gmsh mesh, and perinox reads no meshes; what is read here: Point "

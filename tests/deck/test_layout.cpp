@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "deck/fixture.hpp"
-#include "layout.hpp"
+#include "deck/layout.hpp"
 
 namespace perinox::deck {
 namespace {

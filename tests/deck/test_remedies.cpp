@@ -4,7 +4,7 @@
 #include <ostream>
 
 #include "deck/fixture.hpp"
-#include "perinox/deck/history_columns.hpp"
+#include "deck/history_columns.hpp"
 
 namespace perinox::deck {
 namespace {

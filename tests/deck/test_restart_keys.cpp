@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "perinox/app/commands.hpp"
 #include "perinox/deck/read.hpp"
 #include "perinox/deck/restart.hpp"
+#include "perinox/materials/material.hpp"
 
 namespace perinox::deck {
 namespace {
@@ -22,7 +22,7 @@ steps: {end: 1, count: 4}
 )";
 
 Deck read_with(const std::vector<std::string>& overrides = {}) {
-  return read_text(text, "deck.yaml", app::full_schema(), overrides);
+  return read_text(text, "deck.yaml", materials::full_schema(), overrides);
 }
 
 std::string refused(const std::vector<std::string>& overrides, double t = 0.5) {
@@ -37,7 +37,7 @@ TEST(RestartKeys, TheResolvedDeckIsTheSameDeck) {
   for (const std::string& law : damage) variants.push_back({"materials.steel.damage=" + law});
   for (const std::vector<std::string>& overrides : variants) {
     const Deck deck = read_with(overrides);
-    const Deck again = read_text(write_resolved(deck), "deck.resolved.yaml", app::full_schema());
+    const Deck again = read_text(write_resolved(deck), "deck.resolved.yaml", materials::full_schema());
     EXPECT_TRUE(changed_keys(deck.resolved, again.resolved).empty());
   }
 }

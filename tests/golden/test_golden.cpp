@@ -27,7 +27,7 @@ std::vector<std::string> decks() {
 /// One row a step: counts first, then energies and the deck's history.
 std::vector<std::vector<double>> rows_of(const RunResult& run) {
   std::vector<std::vector<double>> rows;
-  for (const solve::StepRecord& step : run.records.steps) {
+  for (const StepRecord& step : run.records.steps) {
     rows.push_back({step.t, static_cast<double>(step.newton_iterations), static_cast<double>(step.linear_iterations),
                     step.stored_energy, step.dissipated_energy, step.external_work});
     rows.back().insert(rows.back().end(), step.history.begin(), step.history.end());
@@ -63,7 +63,7 @@ void write_rows(const std::string& path, const deck::Deck& deck, const std::vect
 class Golden : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, HistoryAndIterationCounts) {
-  const deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/" + GetParam() + ".yaml", app::full_schema());
+  const deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/" + GetParam() + ".yaml", materials::full_schema());
   const RunResult run = run_deck(deck);
   ASSERT_EQ(run.stopped, "");
   const std::vector<std::vector<double>> rows = rows_of(run);

@@ -39,7 +39,7 @@ std::vector<std::string> restarted() {
 class Restarted : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Restarted, AfterEveryStep) {
-  const deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/" + GetParam() + ".yaml", app::full_schema());
+  const deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/" + GetParam() + ".yaml", materials::full_schema());
   if (!deck::not_in_checkpoints(deck).empty()) GTEST_SKIP() << "its state is not in checkpoints";
   expect_same_in_pieces(deck);
 }

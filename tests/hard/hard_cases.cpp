@@ -38,17 +38,17 @@ CaseResult run_case(const std::string& deck) {
   CaseResult result;
   result.deck = deck;
   try {
-    const RunResult run = run_deck(deck::read(hard_folder + deck + ".yaml", app::full_schema()));
+    const RunResult run = run_deck(deck::read(hard_folder + deck + ".yaml", materials::full_schema()));
     if (!run.stopped.empty()) result.outcome = Outcome::stopped;
     result.sentence = run.stopped;
     result.steps = static_cast<int>(run.records.steps.size());
     result.rejected = static_cast<int>(run.records.reasons.size());
-    for (const solve::StepRecord& step : run.records.steps) {
+    for (const StepRecord& step : run.records.steps) {
       result.newton += step.newton_iterations;
       result.linear += step.linear_iterations;
       result.history.insert(result.history.end(), step.history.begin(), step.history.end());
     }
-    const solve::Energies& e = run.energies;
+    const stepping::Energies& e = run.energies;
     const double size = std::max({std::abs(e.external_work), std::abs(e.stored), std::abs(e.dissipated)});
     result.gap = size > 0 ? (e.external_work - e.stored - e.dissipated - e.relaxed) / size : 0;
     result.stored = e.stored;

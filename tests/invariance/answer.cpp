@@ -54,11 +54,11 @@ class Gathering {
 };
 
 /// Keeps the rows of a run, and the fields of its last step.
-class Keeper : public solve::Observer {
+class Keeper : public Observer {
  public:
   Keeper(const deck::Deck& deck, const Gathering& gathering, Answer& answer)
       : deck_(deck), gathering_(gathering), answer_(answer) {}
-  void step_committed(const solve::StepRecord& record) override {
+  void step_committed(const StepRecord& record) override {
     Answer::Row row;
     row.t = record.t;
     row.energies = {record.stored_energy, record.dissipated_energy, record.external_work};
@@ -71,7 +71,7 @@ class Keeper : public solve::Observer {
     }
     if (record.fracture) row.broken_bonds = record.fracture->broken_bonds;
     answer_.rows.push_back(row);
-    for (const solve::Field& field : record.fields)
+    for (const Field& field : record.fields)
       answer_.fields[field.name] = {field.components, gathering_(field.values, field.components)};
   }
 
@@ -99,7 +99,7 @@ void describe(const mechanics::Scene& scene, const Gathering& gathering, Answer&
 }
 
 template <class Stepper>
-void run(Stepper& stepper, solve::Observer& keeper, Answer& answer) {
+void run(Stepper& stepper, Observer& keeper, Answer& answer) {
   try {
     stepper.run(keeper);
   } catch (const RunError& error) {
@@ -112,16 +112,16 @@ void run(Stepper& stepper, solve::Observer& keeper, Answer& answer) {
 Answer answer_of(const std::string& yaml, const std::string& folder, MPI_Comm comm) {
   Answer answer;
   try {
-    const deck::Deck deck = deck::read_text(yaml, folder + "/deck.yaml", app::full_schema());
+    const deck::Deck deck = deck::read_text(yaml, folder + "/deck.yaml", materials::full_schema());
     mechanics::Scene scene = mechanics::build_scene(deck, Communicator(comm));
     const Gathering gathering(scene.body());
     describe(scene, gathering, answer);
     Keeper keeper(deck, gathering, answer);
     if (deck.dynamics == deck::Dynamics::explicit_) {
-      solve::TimeStepper stepper(deck, scene);
+      stepping::TimeStepper stepper(deck, scene);
       run(stepper, keeper, answer);
     } else {
-      solve::LoadStepper stepper(deck, scene);
+      stepping::LoadStepper stepper(deck, scene);
       run(stepper, keeper, answer);
     }
   } catch (const InputError& error) {

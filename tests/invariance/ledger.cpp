@@ -23,7 +23,7 @@ const std::map<std::string, double> bounds{
     {"ranks: 2", 1e-11},                           // 1e-13
     {"ranks: 3", 1e-11},                           // 2e-13
     {"ranks: 4", 1e-11},                           // 2e-13
-    {"moved by 1e5 body lengths", 1e-7},           // 1.7e-8: the rounding of 1e5 times 250 spacings, over small strains
+    {"moved by 1e5 body lengths", 1e-6},           // 1.8e-7: impact_bars, where a gap wrong by 1e-9 makes 1.1e-7; else 1.7e-8
     {"mirrored", 1e-11},                           // 8e-13
     {"axes exchanged", 1e-11},                     // 4e-13
     {"axes exchanged, round bodies", 5e-6},        // 9e-7: lines through round cells run along one of the axes

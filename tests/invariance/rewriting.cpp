@@ -10,8 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "perinox/app/commands.hpp"
 #include "perinox/deck/schema.hpp"
+#include "perinox/materials/material.hpp"
 
 namespace perinox::invariance {
 
@@ -207,7 +207,7 @@ class Rewriting {
     return out;
   }
 
-  deck::Schema schema_ = app::full_schema();
+  deck::Schema schema_ = materials::full_schema();
   YAML::Node root_;
   std::string folder_;
   const Transformation& change_;

@@ -58,7 +58,7 @@ void compare(Ledger& ledger, const std::string& scene, const Answer& base, const
 void compare_restarts(Ledger& ledger, const std::string& scene, const std::string& yaml, const std::string& folder) {
   noted(ledger, "restarted after every step", scene, [&](std::string& what) {
     using namespace perinox::testing;
-    const deck::Deck deck = deck::read_text(yaml, folder + "/deck.yaml", app::full_schema());
+    const deck::Deck deck = deck::read_text(yaml, folder + "/deck.yaml", materials::full_schema());
     const CheckpointFolder checkpoints{Communicator(MPI_COMM_SELF)};
     const RunResult whole = run_with_checkpoints(deck, MPI_COMM_SELF, "", &checkpoints);
     double largest = 0;

@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "materials/elastic_constants.hpp"
 #include "perinox/core/error.hpp"
-#include "perinox/materials/elastic_constants.hpp"
 #include "perinox/materials/material.hpp"
 #include "support/measured.hpp"
 

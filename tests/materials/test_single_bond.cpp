@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "perinox/materials/elastic_plastic.hpp"
+#include "materials/elastic_plastic.hpp"
 #include "support/families.hpp"
 #include "support/measured.hpp"
 

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "perinox/materials/elastic.hpp"
+#include "materials/elastic.hpp"
 #include "support/load_states.hpp"
 #include "support/measured.hpp"
 

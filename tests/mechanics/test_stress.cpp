@@ -1,9 +1,9 @@
 /// Stress and strain fields: exact under uniform strain at every point, elastic and yielding, in 3-D and in the plane.
 #include <gtest/gtest.h>
 
-#include "perinox/materials/elastic.hpp"
-#include "perinox/materials/elastic_plastic.hpp"
-#include "perinox/materials/plane_plastic.hpp"
+#include "materials/elastic.hpp"
+#include "materials/elastic_plastic.hpp"
+#include "materials/plane_plastic.hpp"
 #include "perinox/mechanics/stress.hpp"
 #include "support/measured.hpp"
 #include "support/scenes.hpp"

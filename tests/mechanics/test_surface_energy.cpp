@@ -1,8 +1,8 @@
 /// Quadrature surface-energy: the energy of uniform strain is right on average over all shears, at every point.
 #include <gtest/gtest.h>
 
-#include "perinox/materials/elastic.hpp"
-#include "perinox/materials/elastic_plastic.hpp"
+#include "materials/elastic.hpp"
+#include "materials/elastic_plastic.hpp"
 #include "support/measured.hpp"
 #include "support/scenes.hpp"
 

@@ -2,7 +2,7 @@
 /// shear energy up to the error of the quadrature, which is known for each horizon (formulation 5).
 #include <gtest/gtest.h>
 
-#include "perinox/materials/elastic.hpp"
+#include "materials/elastic.hpp"
 #include "support/measured.hpp"
 #include "support/scenes.hpp"
 

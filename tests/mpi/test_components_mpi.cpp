@@ -3,7 +3,7 @@
 #include <map>
 
 #include "perinox/bonds/components.hpp"
-#include "perinox/solve/rigid_modes.hpp"
+#include "perinox/loads/rigid_modes.hpp"
 #include "support/bodies.hpp"
 
 namespace perinox::bonds {
@@ -53,9 +53,9 @@ TEST(RigidModesOnRanks, AreThoseOfOneRank) {
         if (body.id[i] == 1) prescribed[i * body.dimension] = 1;
         if (body.id[i] == body.total - 1) prescribed[i * body.dimension + 1] = 1;
       }
-      return solve::find_free_pieces(body, connected_components(body, bond_graph(bonds)), prescribed);
+      return loads::find_free_pieces(body, connected_components(body, bond_graph(bonds)), prescribed);
     };
-    const std::vector<solve::FreePiece> one = free_pieces(alone), many = free_pieces(world);
+    const std::vector<loads::FreePiece> one = free_pieces(alone), many = free_pieces(world);
     ASSERT_EQ(many.size(), one.size());
     for (std::size_t k = 0; k < one.size(); ++k) {
       EXPECT_EQ(many[k].component, one[k].component);

@@ -25,7 +25,7 @@ void compare(const deck::Deck& deck, const char* name) {
 
 TEST(ExplicitRanks, BarsThatCollide) {
   // One rank may have either bar: the particles that meet are no ghosts of each other.
-  deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/impact_bars.yaml", app::full_schema());
+  deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/impact_bars.yaml", materials::full_schema());
   deck.steps.end /= 2;
   deck.steps.count /= 2;
   compare(deck, "colliding bars");

@@ -48,7 +48,7 @@ void compare(const deck::Deck& deck, const char* name, std::size_t least, const 
   ASSERT_EQ(together.records.steps.size(), alone.records.steps.size());
   double apart = 0;
   for (std::size_t k = 0; k < alone.records.steps.size(); ++k) {
-    const solve::StepRecord &here = alone.records.steps[k], &there = together.records.steps[k];
+    const StepRecord &here = alone.records.steps[k], &there = together.records.steps[k];
     EXPECT_EQ(there.fracture->passes, here.fracture->passes);
     EXPECT_EQ(there.fracture->broken_bonds, here.fracture->broken_bonds);
     if (here.motion) {
@@ -183,7 +183,7 @@ steps: {{end: 1.2e-5, count: 4}}
     for (const bool many : {false, true}) {
       const Communicator ranks(many ? MPI_COMM_WORLD : MPI_COMM_SELF);
       mechanics::Scene scene = mechanics::build_scene(deck, ranks);
-      solve::TimeStepper stepper(deck, scene);
+      stepping::TimeStepper stepper(deck, scene);
       EXPECT_EQ(run_with(stepper).stopped, "");
       broken[many] = gathered(scene, ranks);
     }

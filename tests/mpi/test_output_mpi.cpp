@@ -1,11 +1,11 @@
 /// The same results file from every number of ranks, one of which owns nothing.
 #include <gtest/gtest.h>
 
+#include "output/agree.hpp"
+#include "output/parallel_file.hpp"
+#include "output/results_file.hpp"
+#include "output/run_directory.hpp"
 #include "perinox/core/error.hpp"
-#include "perinox/output/agree.hpp"
-#include "perinox/output/parallel_file.hpp"
-#include "perinox/output/results_file.hpp"
-#include "perinox/output/run_directory.hpp"
 #include "support/shuffled_body.hpp"
 
 namespace perinox::output {

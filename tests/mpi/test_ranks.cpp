@@ -36,13 +36,13 @@ void compare(const deck::Deck& deck, const char* name, int linear_apart = 1, dou
   ASSERT_EQ(together.records.steps.size(), alone.records.steps.size());
   int newton = 0, linear = 0;
   for (std::size_t k = 0; k < alone.records.steps.size(); ++k) {
-    const solve::StepRecord &one = alone.records.steps[k], &many = together.records.steps[k];
+    const StepRecord &one = alone.records.steps[k], &many = together.records.steps[k];
     newton = std::max(newton, std::abs(one.newton_iterations - many.newton_iterations));
     linear = std::max(linear, std::abs(one.linear_iterations - many.linear_iterations));
     EXPECT_NEAR(one.stored_energy, many.stored_energy, energy_apart * one.stored_energy);
     EXPECT_NEAR(one.t, many.t, t_apart * deck.steps.end);
   }
-  const solve::Energies& e = together.energies;
+  const stepping::Energies& e = together.energies;
   const double gap = std::abs(e.external_work - e.stored - e.dissipated) / e.external_work;
   if (world.is_root())
     std::printf(
@@ -74,13 +74,13 @@ TEST(Ranks, PlasticCubeDirect) {
 TEST(Ranks, CrackedPlateInPlaneStress) { compare(deck_of(plane_stress_plate), "cracked plate"); }
 
 TEST(Ranks, PlasticPlateInPlaneStrain) {
-  deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/yielding_plate.yaml", app::full_schema());
+  deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/yielding_plate.yaml", materials::full_schema());
   deck.steps.count = 3;
   compare(deck, "yielding plate");
 }
 
 TEST(Ranks, RingUnderPressure) {
-  deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/pressurised_ring.yaml", app::full_schema());
+  deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/pressurised_ring.yaml", materials::full_schema());
   deck.steps.count = 3;
   compare(deck, "ring under pressure");
 }
@@ -89,12 +89,12 @@ TEST(Ranks, RingUnderPressure) {
 // solves and energies more. Measured on 2, 3 and 4 ranks: displacements 3.0e-11, t 6.5e-9, energies 1.3e-9, no Newton
 // iteration and 15 linear ones.
 TEST(Ranks, ArchAlongTheArc) {
-  compare(deck::read(PERINOX_SOURCE_DIR "/inputs/shallow_arch.yaml", app::full_schema()), "shallow arch along the arc",
-          20, 1e-8, 5e-8);
+  compare(deck::read(PERINOX_SOURCE_DIR "/inputs/shallow_arch.yaml", materials::full_schema()),
+          "shallow arch along the arc", 20, 1e-8, 5e-8);
 }
 
 TEST(Ranks, NotchedBarAtItsLimitLoad) {
-  compare(deck::read(PERINOX_SOURCE_DIR "/inputs/notched_bar_limit.yaml", app::full_schema()),
+  compare(deck::read(PERINOX_SOURCE_DIR "/inputs/notched_bar_limit.yaml", materials::full_schema()),
           "notched bar along the arc", 24, 1e-8, 5e-8);  // 22 of 190
 }
 

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "perinox/output/row_lists.hpp"
+#include "output/row_lists.hpp"
 #include "support/bodies.hpp"
 #include "support/breaking_decks.hpp"
 #include "support/restarts.hpp"

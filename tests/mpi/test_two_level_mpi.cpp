@@ -6,7 +6,7 @@
 namespace perinox::testing {
 namespace {
 
-void compare(const char* name, const std::string& yaml, const solve::TwoLevel::Settings& settings = {}) {
+void compare(const char* name, const std::string& yaml, const linear::TwoLevel::Settings& settings = {}) {
   const LinearProblem alone(yaml, MPI_COMM_SELF), together(yaml, MPI_COMM_WORLD);
   const auto one = alone.two_level(settings), many = together.two_level(settings);
   EXPECT_EQ(one->coarse_solver()->unknowns(), many->coarse_solver()->unknowns()) << name;
@@ -20,14 +20,14 @@ void compare(const char* name, const std::string& yaml, const solve::TwoLevel::S
 TEST(TwoLevelRanks, Cube) { compare("cube", held_cube(12)); }
 
 TEST(TwoLevelRanks, VCycle) {
-  solve::TwoLevel::Settings settings;
+  linear::TwoLevel::Settings settings;
   settings.factorised_up_to = 0;
   compare("cube, V-cycle", held_cube(16), settings);
 }
 
 TEST(TwoLevelRanks, NestedGridsPartAtCracks) {
   // Three grids, of which the smallest is factorised; the crack runs across the ranks.
-  solve::TwoLevel::Settings settings;
+  linear::TwoLevel::Settings settings;
   settings.factorised_up_to = 100;
   compare("crack, nested grids", held_cube(16, 0.33, half_crack(16)), settings);
 }

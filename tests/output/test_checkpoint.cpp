@@ -2,9 +2,9 @@
 #include <cstring>
 #include <random>
 
+#include "output/parallel_file.hpp"
 #include "perinox/output/checkpoint.hpp"
 #include "perinox/output/checksum.hpp"
-#include "perinox/output/parallel_file.hpp"
 #include "support/bodies.hpp"
 #include "support/restarts.hpp"
 

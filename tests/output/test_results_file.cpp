@@ -7,9 +7,9 @@
 #include <map>
 #include <regex>
 
+#include "output/parallel_file.hpp"
+#include "output/results_file.hpp"
 #include "perinox/core/error.hpp"
-#include "perinox/output/parallel_file.hpp"
-#include "perinox/output/results_file.hpp"
 #include "support/shuffled_body.hpp"
 
 namespace perinox::output {
@@ -110,7 +110,7 @@ TEST_P(ResultsFileTest, ComponentsOfTensorsHaveNames) {
   const int dimension = GetParam();
   const body::Body body = test::shuffled_body(one_rank_, total, dimension);
   const auto stress = field_values(body, 5, 6), strain = field_values(body, 7, 6);
-  const std::vector<solve::Field> fields{{"stress", 6, stress.data()}, {"strain", 6, strain.data()}};
+  const std::vector<Field> fields{{"stress", 6, stress.data()}, {"strain", 6, strain.data()}};
   std::string h5;
   {
     ResultsFile results(directory_.path(), "", {"block"}, body);

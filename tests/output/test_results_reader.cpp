@@ -1,8 +1,8 @@
 /// results.h5 and the tables of a run, read back in one process.
 #include <gmock/gmock.h>
 
+#include "output/results_file.hpp"
 #include "perinox/core/error.hpp"
-#include "perinox/output/results_file.hpp"
 #include "perinox/output/results_reader.hpp"
 #include "perinox/output/table_reader.hpp"
 #include "perinox/output/tables.hpp"
@@ -32,7 +32,7 @@ TEST(ResultsReader, ReadsWhatWasWritten) {
   const body::Body body = test::shuffled_body(one_rank, total, 2);
   ResultsFile results(directory.path(), "a title", {"block", "second"}, body);
   const auto displacement = test::field_values(body, 5, 2), damage = test::field_values(body, 6, 1);
-  const std::vector<solve::Field> fields{{"displacement", 2, displacement.data()}, {"damage", 1, damage.data()}};
+  const std::vector<Field> fields{{"displacement", 2, displacement.data()}, {"damage", 1, damage.data()}};
   results.write(test::step_record(2, 0.25), fields);
   results.write(test::step_record(10, 0.5), fields);
 
@@ -65,7 +65,7 @@ TEST(ResultsReader, ReadsWhatWasWritten) {
 TEST(TableReader, ReadsAHistoryBack) {
   const test::TemporaryDirectory directory;
   const std::string path = directory / "history.csv";
-  solve::StepRecord record = test::step_record(4, 1.0 / 3.0);
+  StepRecord record = test::step_record(4, 1.0 / 3.0);
   record.history = {2.5e-17, -7};
   {
     HistoryTable table(path, {"pull, left", "say \"so\""});

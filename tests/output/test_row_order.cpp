@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "perinox/output/row_order.hpp"
+#include "output/row_order.hpp"
 #include "support/shuffled_body.hpp"
 
 namespace perinox::output {

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
+#include "output/parallel_file.hpp"
+#include "output/run_directory.hpp"
 #include "perinox/core/error.hpp"
-#include "perinox/output/parallel_file.hpp"
-#include "perinox/output/run_directory.hpp"
 #include "perinox/output/run_writer.hpp"
 #include "support/shuffled_body.hpp"
 
@@ -30,8 +30,8 @@ class RunWriterTest : public ::testing::Test {
     deck_.resolved = deck::Value::map({}, {}, true);
   }
 
-  solve::StepRecord record(int step, bool last) {
-    solve::StepRecord made = test::step_record(step, 0.25 * step);
+  StepRecord record(int step, bool last) {
+    StepRecord made = test::step_record(step, 0.25 * step);
     made.history = {10.0 * step};
     made.fields = {{"displacement", 3, displacement_.data()},
                    {"force", 3, force_.data()},
@@ -92,7 +92,7 @@ TEST_F(RunWriterTest, ARunThatStopsShortLeavesItsLastConvergedStep) {
   {
     RunWriter writer(deck_, body_, place, true);
     for (int step = 1; step <= 3; ++step) writer.step_committed(record(step, false));
-    const solve::StepRecord last = record(3, false);
+    const StepRecord last = record(3, false);
     writer.run_stopped(&last);
   }
   {
@@ -111,7 +111,7 @@ TEST_F(RunWriterTest, AStateThatHasLostItsEquilibriumIsOneStepFurther) {
   {
     RunWriter writer(deck_, body_, place, true);
     for (int step = 1; step <= 3; ++step) writer.step_committed(record(step, false));
-    const solve::StepRecord lost = record(4, false);  // a step that `every: 2` would write had it come to its end
+    const StepRecord lost = record(4, false);  // a step that `every: 2` would write had it come to its end
     writer.run_stopped(&lost);
   }
   ::testing::internal::GetCapturedStderr();

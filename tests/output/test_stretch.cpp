@@ -8,8 +8,8 @@
 #include <iterator>
 #include <vector>
 
+#include "output/stretch.hpp"
 #include "perinox/output/checksum.hpp"
-#include "perinox/output/stretch.hpp"
 
 namespace perinox::output {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "perinox/deck/history_columns.hpp"
+#include "deck/history_columns.hpp"
 #include "perinox/output/tables.hpp"
 #include "support/shuffled_body.hpp"
 
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 TEST(HistoryTable, HoldsNamedColumnsAndReadsBackToTheSameNumbers) {
   const test::TemporaryDirectory directory;
   HistoryTable table(directory / "history.csv", {"pull", "a \"quoted\", name"});
-  solve::StepRecord record = test::step_record(7, 0.1);
+  StepRecord record = test::step_record(7, 0.1);
   record.history = {1.0 / 3.0, -2e-300};
   record.stored_energy = 0.125;
   record.dissipated_energy = 0.5;

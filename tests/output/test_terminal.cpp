@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "perinox/output/terminal.hpp"
+#include "output/terminal.hpp"
 #include "support/shuffled_body.hpp"
 
 namespace perinox::output {
@@ -16,7 +16,7 @@ void tell_a_step(Terminal& terminal) {
   terminal.newton_iteration({1, 0.5, 1, 99.5, 0.0806, 0.031, 1, 12, 1e-4, 1}, 1);
   terminal.step_rejected(0, 0.5, "the line search found no descent");
   terminal.newton_iteration({1, 0.25, 0, 600, 0.5, 0, 0, 0, 0, 1}, 2);
-  solve::StepRecord record = test::step_record(1, 0.25);
+  StepRecord record = test::step_record(1, 0.25);
   record.seconds = 2.04;
   record.remaining_seconds = 75;
   terminal.step_committed(record);
@@ -48,7 +48,7 @@ TEST(Terminal, RedrawsOneProgressLineAtTheBottom) {
   terminal.newton_iteration({2, 0.5, 0, 1, 1, 0, 0, 0, 0, 1}, 1);
   EXPECT_THAT(out.str(), HasSubstr("\r\033[K\nstep 2   t = 0.5\n"));
   EXPECT_THAT(out.str(), EndsWith("\nstep 2  t 0.5 of 1  iteration 0  about 1 min 15 s left"));
-  solve::StepRecord last = test::step_record(2, 1);
+  StepRecord last = test::step_record(2, 1);
   last.last = true;
   terminal.step_committed(last);
   EXPECT_THAT(out.str(), EndsWith(" s\n"));  // nothing is left behind in the bottom line
@@ -56,10 +56,10 @@ TEST(Terminal, RedrawsOneProgressLineAtTheBottom) {
 
 // A phase of hours is not silent, and one of many short looks does not flood the log.
 TEST(Terminal, SaysWhereAMotionIsFromTimeToTime) {
-  solve::MotionPhase phase;
+  MotionPhase phase;
   phase.t_begin = 0.5;
   phase.reason = "the crack runs";
-  const solve::MotionMoment moment{0.5, 2e-6, 1270, 1.25, 3.5, 0.75, 12};
+  const MotionMoment moment{0.5, 2e-6, 1270, 1.25, 3.5, 0.75, 12};
   std::ostringstream out;
   Terminal often(out, false, 0);
   often.phase_begins(phase);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <random>
 
-#include "perinox/study/fit.hpp"
-#include "perinox/study/nearby_fit.hpp"
-#include "perinox/study/scale.hpp"
+#include "study/fit.hpp"
+#include "study/nearby_fit.hpp"
+#include "study/scale.hpp"
 #include "support/measured.hpp"
 
 namespace perinox::study {

@@ -1,6 +1,6 @@
 /// The runs of a study, and formulas and settings that name its sweeps.
-#include "perinox/study/planned_run.hpp"
 #include "study/fixture.hpp"
+#include "study/planned_run.hpp"
 
 namespace perinox::study {
 namespace {

@@ -1,9 +1,9 @@
 /// Charts as files, and which plots a table of runs gives.
 #include <cmath>
 
-#include "perinox/study/plotting.hpp"
-#include "perinox/study/report.hpp"
 #include "study/fixture.hpp"
+#include "study/plotting.hpp"
+#include "study/report.hpp"
 
 namespace perinox::study {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "perinox/deck/read.hpp"
 #include "perinox/materials/material.hpp"
-#include "perinox/study/run_record.hpp"
 #include "study/fixture.hpp"
+#include "study/run_record.hpp"
 
 namespace perinox::study {
 namespace {

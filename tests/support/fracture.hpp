@@ -16,17 +16,17 @@ using BrokenSet = std::set<std::array<GlobalId, 2>>;
 /// Keeps the passes and the sentences too.
 class FractureRecorder : public Recorder {
  public:
-  void bonds_broken(const solve::BreakingPass& row) override { passes.push_back(row); }
+  void bonds_broken(const BreakingPass& row) override { passes.push_back(row); }
   void note(const std::string& sentence) override { notes.push_back(sentence); }
-  void phase_begins(const solve::MotionPhase& phase) override { begun.push_back(phase); }
-  void phase_ended(const solve::MotionPhase& phase) override { phases.push_back(phase); }
+  void phase_begins(const MotionPhase& phase) override { begun.push_back(phase); }
+  void phase_ended(const MotionPhase& phase) override { phases.push_back(phase); }
   bool noted(const std::string& part) const {
     return std::any_of(notes.begin(), notes.end(),
                        [&](const std::string& note) { return note.find(part) != std::string::npos; });
   }
-  std::vector<solve::BreakingPass> passes;
+  std::vector<BreakingPass> passes;
   std::vector<std::string> notes;
-  std::vector<solve::MotionPhase> begun, phases;
+  std::vector<MotionPhase> begun, phases;
 };
 
 /// A quasi-static run and what it broke.
@@ -43,20 +43,20 @@ struct FractureRun {
   BrokenSet broken() const { return {scene.broken().begin(), scene.broken().end()}; }
   /// What the energies leave unaccounted for, of the external work.
   double energy_gap() const {
-    const solve::Energies& e = stepper.energies();
+    const stepping::Energies& e = stepper.energies();
     const double sum = e.stored + e.dissipated + e.released + e.relaxed + e.damped;
     return std::abs(sum / e.external_work - 1);
   }
 
   deck::Deck deck;
   mechanics::Scene scene;
-  solve::LoadStepper stepper;
+  stepping::LoadStepper stepper;
   FractureRecorder records;
   std::string stopped;
 };
 
 inline deck::Deck input_deck(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  return deck::read(PERINOX_SOURCE_DIR "/inputs/" + name + ".yaml", app::full_schema(), overrides);
+  return deck::read(PERINOX_SOURCE_DIR "/inputs/" + name + ".yaml", materials::full_schema(), overrides);
 }
 
 /// Square of 12 x 12 particles of spacing 1, held at the bottom. damage: a law.

@@ -1,13 +1,15 @@
 #pragma once
 /// The first linear system of a deck, and conjugate gradients on it with a preconditioner under test.
+#include <fmt/format.h>
+
 #include <functional>
 #include <string>
 
+#include "linear/two_level.hpp"
+#include "mechanics/matrix_free_tangent.hpp"
+#include "perinox/loads/boundary.hpp"
 #include "perinox/mechanics/assembled_tangent.hpp"
-#include "perinox/mechanics/matrix_free_tangent.hpp"
-#include "perinox/solve/boundary.hpp"
-#include "perinox/solve/two_level.hpp"
-#include "support/runs.hpp"
+#include "support/decks.hpp"
 
 namespace perinox::testing {
 
@@ -25,7 +27,7 @@ struct LinearProblem {
         blocks(unknowns * static_cast<std::size_t>(scene.dimension())),
         right(unknowns) {
     tangent.linearise(committed, committed.displacement().data(), deck::TangentForm::consistent);
-    tangent.diagonal_blocks(blocks.data(), solve::TwoLevel::dilatation_share(scene));
+    tangent.diagonal_blocks(blocks.data(), linear::TwoLevel::dilatation_share(scene));
     Vector jump(unknowns, 0.0), stiff(unknowns);
     boundary.impose(1, jump.data());
     boundary.external_force(1, right.data());
@@ -39,15 +41,15 @@ struct LinearProblem {
     for (std::size_t u = 0; u < unknowns; ++u) sum += a[u] * b[u];
     return scene.body().communicator.sum(sum);
   }
-  std::unique_ptr<solve::TwoLevel> two_level(const solve::TwoLevel::Settings& settings = {}) const {
-    auto made = std::make_unique<solve::TwoLevel>(mechanics::unknowns_map(scene.body()), scene, boundary.prescribed(),
-                                                  scene.bond_graph(), settings);
+  std::unique_ptr<linear::TwoLevel> two_level(const linear::TwoLevel::Settings& settings = {}) const {
+    auto made = std::make_unique<linear::TwoLevel>(mechanics::unknowns_map(scene.body()), scene, boundary.prescribed(),
+                                                   scene.bond_graph(), settings);
     made->set(blocks, 1.0);
     return made;
   }
 
   /// Iterations until the residual is 1e-8 of the right side.
-  int iterations(const solve::OwnedOperator& preconditioner) const {
+  int iterations(const linear::OwnedOperator& preconditioner) const {
     Vector r = right, z(unknowns), p(unknowns, 0.0), q(unknowns);
     const double goal = 1e-8 * std::sqrt(dot(right, right));
     double rho = 1;
@@ -68,7 +70,7 @@ struct LinearProblem {
 
   deck::Deck deck;
   mechanics::Scene scene;
-  solve::Boundary boundary;
+  loads::Boundary boundary;
   mechanics::Committed committed;
   mechanics::MatrixFreeTangent tangent;
   std::size_t unknowns;

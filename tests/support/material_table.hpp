@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "perinox/materials/elastic.hpp"
-#include "perinox/materials/elastic_plastic.hpp"
-#include "perinox/materials/plane_plastic.hpp"
+#include "materials/elastic.hpp"
+#include "materials/elastic_plastic.hpp"
+#include "materials/plane_plastic.hpp"
 #include "support/families.hpp"
 
 namespace perinox::test {

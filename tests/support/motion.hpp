@@ -18,7 +18,7 @@ struct InMotion {
       : deck(std::move(the_deck)), scene(mechanics::build_scene(deck, Communicator(comm))), stepper(deck, scene) {}
   deck::Deck deck;
   mechanics::Scene scene;
-  solve::TimeStepper stepper;
+  stepping::TimeStepper stepper;
   Recorder records;
 
   /// The reason, if it stopped short.
@@ -47,10 +47,10 @@ struct InMotion {
 };
 
 /// What the energies of the rows leave unaccounted for, of the largest energy: the columns of history.csv.
-inline double worst_gap(const std::vector<solve::StepRecord>& rows) {
+inline double worst_gap(const std::vector<StepRecord>& rows) {
   double gap = 0, size = 0;
-  for (const solve::StepRecord& row : rows) {
-    const solve::MotionRow& motion = *row.motion;
+  for (const StepRecord& row : rows) {
+    const MotionRow& motion = *row.motion;
     const double sum = motion.kinetic_energy + row.stored_energy + row.dissipated_energy + motion.damped_energy +
                        motion.contact_energy;
     size = std::max({size, std::abs(motion.kinetic_energy), row.stored_energy, std::abs(row.external_work)});

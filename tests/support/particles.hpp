@@ -37,13 +37,13 @@ using Enough = std::function<bool(const Step&)>;
 /// Runs a deck on one rank; a run that stops short keeps its last committed step. One that may stop earlier does so
 /// after the first step that is `enough`.
 inline Solution solve(const std::string& yaml, const Enough& enough = nullptr) {
-  class Watch : public solve::Observer {
+  class Watch : public Observer {
    public:
     explicit Watch(Enough stop) : enough(std::move(stop)) {}
-    void step_committed(const solve::StepRecord& record) override {
+    void step_committed(const StepRecord& record) override {
       steps.push_back({record.t, record.stored_energy, record.dissipated_energy, record.external_work, record.history});
       values.clear();
-      for (const solve::Field& field : record.fields)
+      for (const Field& field : record.fields)
         if (field.components == 1)
           values[field.name].assign(field.values, field.values + owned);
         else if (field.name == "stress")
@@ -57,7 +57,7 @@ inline Solution solve(const std::string& yaml, const Enough& enough = nullptr) {
   };
   const deck::Deck deck = testing::deck_of(yaml);
   mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
-  solve::LoadStepper stepper(deck, scene);
+  stepping::LoadStepper stepper(deck, scene);
   Watch watch(enough);
   watch.owned = static_cast<std::size_t>(scene.owned());
   Solution solution;

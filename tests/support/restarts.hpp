@@ -59,8 +59,7 @@ RunResult run_stepper(Stepper& stepper, const mechanics::Scene& scene, const std
   };
   int moments = 0;
   if (folder != nullptr) {
-    stepper.on_commit(
-        [&](const solve::StepRecord& record) { leave(folder->of_step(record.step), record.step, record.t); });
+    stepper.on_commit([&](const StepRecord& record) { leave(folder->of_step(record.step), record.step, record.t); });
     stepper.on_passing([&](int step, double t) {
       if (moments++ % 3 != 1) return;
       leave(folder->of_pass(static_cast<int>(folder->passes.size())), step, t);
@@ -75,13 +74,13 @@ inline RunResult run_with_checkpoints(const deck::Deck& deck, MPI_Comm comm, con
                                       const CheckpointFolder* folder) {
   mechanics::Scene scene = mechanics::build_scene(deck, Communicator(comm));
   if (deck.dynamics == deck::Dynamics::explicit_) {
-    solve::TimeStepper stepper(deck, scene);
+    stepping::TimeStepper stepper(deck, scene);
     RunResult run = run_stepper(stepper, scene, restart, folder);
     keep(scene, stepper.motion().committed().displacement(), stepper.motion().force(), run);
     run.motion = stepper.energies();
     return run;
   }
-  solve::LoadStepper stepper(deck, scene);
+  stepping::LoadStepper stepper(deck, scene);
   RunResult run = run_stepper(stepper, scene, restart, folder);
   keep(scene, stepper.committed().displacement(), stepper.force(), run);
   run.energies = stepper.energies();
@@ -89,7 +88,7 @@ inline RunResult run_with_checkpoints(const deck::Deck& deck, MPI_Comm comm, con
 }
 
 /// The numbers of a step's row that a restart must give again.
-inline std::vector<double> numbers_of(const solve::StepRecord& row) {
+inline std::vector<double> numbers_of(const StepRecord& row) {
   std::vector<double> all{static_cast<double>(row.step),
                           row.t,
                           row.stored_energy,
@@ -113,7 +112,7 @@ inline std::vector<double> numbers_of(const solve::StepRecord& row) {
 /// value in the column.
 inline double history_difference(const RunResult& whole, const RunResult& part, int first_step) {
   if (static_cast<std::size_t>(first_step) - 1 + part.records.steps.size() != whole.records.steps.size()) return 1;
-  const auto values = [](const solve::StepRecord& row) {
+  const auto values = [](const StepRecord& row) {
     std::vector<double> all = numbers_of(row);
     all.erase(all.begin() + 5, all.begin() + 7);
     return all;
@@ -154,7 +153,7 @@ RunResult run_in_pieces_of(const deck::Deck& deck, int& pieces) {
       writer.write({step, t}, [&](StateWriter& to) { stepper.save(to); });
       throw RunError("broken off");
     };
-    stepper.on_commit([&](const solve::StepRecord& record) {
+    stepper.on_commit([&](const StepRecord& record) {
       if (!record.last) leave(record.step, record.t);
     });
     int moments = 0;
@@ -167,7 +166,7 @@ RunResult run_in_pieces_of(const deck::Deck& deck, int& pieces) {
     all.records.steps.insert(all.records.steps.end(), piece.records.steps.begin(), piece.records.steps.end());
     if (piece.stopped == "broken off") continue;
     all.stopped = piece.stopped;
-    if constexpr (std::is_same_v<Stepper, solve::LoadStepper>)
+    if constexpr (std::is_same_v<Stepper, stepping::LoadStepper>)
       keep(scene, stepper.committed().displacement(), stepper.force(), all);
     else
       keep(scene, stepper.motion().committed().displacement(), stepper.motion().force(), all);
@@ -176,8 +175,8 @@ RunResult run_in_pieces_of(const deck::Deck& deck, int& pieces) {
 }
 
 inline RunResult run_in_pieces(const deck::Deck& deck, int& pieces) {
-  return deck.dynamics == deck::Dynamics::explicit_ ? run_in_pieces_of<solve::TimeStepper>(deck, pieces)
-                                                    : run_in_pieces_of<solve::LoadStepper>(deck, pieces);
+  return deck.dynamics == deck::Dynamics::explicit_ ? run_in_pieces_of<stepping::TimeStepper>(deck, pieces)
+                                                    : run_in_pieces_of<stepping::LoadStepper>(deck, pieces);
 }
 
 }  // namespace perinox::testing

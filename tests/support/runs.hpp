@@ -9,40 +9,37 @@
 #include <string>
 #include <vector>
 
-#include "perinox/app/commands.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/deck/read.hpp"
+#include "perinox/materials/material.hpp"
 #include "perinox/mechanics/scene.hpp"
-#include "perinox/solve/load_stepper.hpp"
-#include "perinox/solve/time_stepper.hpp"
+#include "perinox/stepping/load_stepper.hpp"
+#include "perinox/stepping/time_stepper.hpp"
+#include "support/decks.hpp"
 
 namespace perinox::testing {
 
-inline deck::Deck deck_of(const std::string& yaml, const std::vector<std::string>& overrides = {}) {
-  return deck::read_text(yaml, "test.yaml", app::full_schema(), overrides);
-}
-
 /// Keeps every record of a run.
-class Recorder : public solve::Observer {
+class Recorder : public Observer {
  public:
-  void newton_iteration(const solve::NewtonIteration& row) override { iterations.push_back(row); }
+  void newton_iteration(const NewtonIteration& row) override { iterations.push_back(row); }
   void step_rejected(double t_from, double t_to, const std::string& reason) override {
     rejected.push_back({t_from, t_to});
     reasons.push_back(reason);
   }
-  void run_begins(const solve::StepRecord& record) override {
+  void run_begins(const StepRecord& record) override {
     begins.push_back(record);
     begins.back().fields.clear();
   }
-  void step_committed(const solve::StepRecord& record) override {
+  void step_committed(const StepRecord& record) override {
     steps.push_back(record);
     steps.back().fields.clear();  // they point into the stepper
   }
-  void run_stopped(const solve::StepRecord* last) override { stopped_after = last ? last->step : 0; }
+  void run_stopped(const StepRecord* last) override { stopped_after = last ? last->step : 0; }
   /// Residuals of the last attempt at one step, iteration 0 first.
   std::vector<double> residuals(int step) const {
     std::vector<double> found;
-    for (const solve::NewtonIteration& row : iterations) {
+    for (const NewtonIteration& row : iterations) {
       if (row.step != step) continue;
       if (row.iteration == 0) found.clear();
       found.push_back(row.residual);
@@ -50,9 +47,9 @@ class Recorder : public solve::Observer {
     return found;
   }
 
-  std::vector<solve::NewtonIteration> iterations;
-  std::vector<solve::StepRecord> begins;  ///< step 0; none of a run that goes on
-  std::vector<solve::StepRecord> steps;
+  std::vector<NewtonIteration> iterations;
+  std::vector<StepRecord> begins;  ///< step 0; none of a run that goes on
+  std::vector<StepRecord> steps;
   std::vector<std::pair<double, double>> rejected;
   std::vector<std::string> reasons;
   int stopped_after = -1;  ///< the last converged step told on stopping; -1: the run did not stop short
@@ -63,8 +60,8 @@ struct RunResult {
   Recorder records;
   std::map<GlobalId, std::vector<double>> displacement, force;
   std::string stopped;  ///< the reason, if it stopped short
-  solve::Energies energies;
-  solve::MotionEnergies motion;  ///< of dynamics: explicit
+  stepping::Energies energies;
+  motion::MotionEnergies motion;  ///< of dynamics: explicit
   std::string preconditioner;
 };
 
@@ -95,14 +92,14 @@ inline RunResult run_deck(const deck::Deck& deck, MPI_Comm comm = MPI_COMM_SELF)
   const Communicator ranks(comm);
   mechanics::Scene scene = mechanics::build_scene(deck, ranks);
   if (deck.dynamics == deck::Dynamics::explicit_) {
-    solve::TimeStepper stepper(deck, scene);
+    stepping::TimeStepper stepper(deck, scene);
     RunResult run = run_with(stepper);
     keep(scene, stepper.motion().committed().displacement(), stepper.motion().force(), run);
     run.motion = stepper.energies();
     run.energies = {run.motion.stored, run.motion.dissipated, run.motion.external_work};
     return run;
   }
-  solve::LoadStepper stepper(deck, scene);
+  stepping::LoadStepper stepper(deck, scene);
   RunResult run = run_with(stepper);
   keep(scene, stepper.committed().displacement(), stepper.force(), run);
   run.energies = stepper.energies();

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/matrix_free_tangent.hpp"
 #include "perinox/mechanics/internal_force.hpp"
-#include "perinox/mechanics/matrix_free_tangent.hpp"
 #include "perinox/mechanics/stored_tangent.hpp"
 
 namespace perinox::test {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "perinox/body/body.hpp"
-#include "perinox/solve/record.hpp"
+#include "perinox/core/record.hpp"
 
 namespace perinox::test {
 
@@ -48,8 +48,8 @@ inline std::vector<double> field_values(const body::Body& body, int salt, int co
   return values;
 }
 
-inline solve::StepRecord step_record(int step, double t) {
-  solve::StepRecord record;
+inline StepRecord step_record(int step, double t) {
+  StepRecord record;
   record.step = step;
   record.t = t;
   record.newton_iterations = 3;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "perinox/solve/fragments.hpp"
+#include "perinox/fracture/fragments.hpp"
 #include "support/motion.hpp"
 
 namespace perinox::testing {
@@ -16,13 +16,13 @@ namespace {
 constexpr double beside_a_crack = 0.35;
 
 /// Where the cracks are at every row: the particles beside them.
-class CrackSeen : public solve::Observer {
+class CrackSeen : public Observer {
  public:
   explicit CrackSeen(const mechanics::Scene& scene) : scene_(scene) {}
-  void step_committed(const solve::StepRecord& record) override {
+  void step_committed(const StepRecord& record) override {
     times.push_back(record.t);
     std::vector<Eigen::Vector2d>& seen = places.emplace_back();
-    for (const solve::Field& field : record.fields) {
+    for (const Field& field : record.fields) {
       if (field.name != "damage") continue;
       for (LocalIndex i = 0; i < scene_.owned(); ++i)
         if (field.values[i] > beside_a_crack)
@@ -39,7 +39,7 @@ class CrackSeen : public solve::Observer {
 };
 
 InMotion shipped(const std::string& name) {
-  return InMotion(deck::read(PERINOX_SOURCE_DIR "/inputs/" + name + ".yaml", app::full_schema()));
+  return InMotion(deck::read(PERINOX_SOURCE_DIR "/inputs/" + name + ".yaml", materials::full_schema()));
 }
 
 /// Angle to the x axis, degrees, of the line that fits points best; side = -1 looks at their mirror images in y = 0.
@@ -133,7 +133,7 @@ TEST(DynamicFracture, ARingThatFliesApartBreaksIntoFragmentsThatAreCounted) {
   const auto before = ring.momentum();
   CrackSeen seen(ring.scene);
   ring.stepper.run(seen);
-  solve::Fragments fragments(ring.scene);
+  fracture::Fragments fragments(ring.scene);
   fragments.find();
   std::map<double, int> particles;
   for (const double number : fragments.number()) ++particles[number];

@@ -18,9 +18,9 @@ std::string spacing_of(double h) { return fmt::format("body.0.spacing={}", h); }
 class TipRecorder : public FractureRecorder {
  public:
   explicit TipRecorder(const mechanics::Scene& scene) : scene_(scene) {}
-  void step_committed(const solve::StepRecord& record) override {
+  void step_committed(const StepRecord& record) override {
     double tip = 0;
-    for (const solve::Field& field : record.fields)
+    for (const Field& field : record.fields)
       for (LocalIndex i = 0; field.name == "damage" && i < scene_.owned(); ++i)
         if (field.values[i] > 0.35) tip = std::max(tip, scene_.body().position(i)[0]);
     tips.push_back(tip);
@@ -36,7 +36,7 @@ class TipRecorder : public FractureRecorder {
 double cantilever_error(test::Verification& table, int particles_a_mm) {
   const deck::Deck deck = input_deck("double_cantilever", {spacing_of(1.0 / particles_a_mm)});
   mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
-  solve::LoadStepper stepper(deck, scene);
+  stepping::LoadStepper stepper(deck, scene);
   TipRecorder records(scene);
   stepper.run(records);
   // From where the crack has a tip of its own, a horizon past the cut, to the end.

@@ -2,8 +2,8 @@
 /// (tests/data/reference/README.md). Differences are largest entry over largest entry.
 #include <gtest/gtest.h>
 
-#include "perinox/materials/elastic.hpp"
-#include "perinox/materials/elastic_plastic.hpp"
+#include "materials/elastic.hpp"
+#include "materials/elastic_plastic.hpp"
 #include "support/families.hpp"
 #include "support/measured.hpp"
 #include "support/reference_table.hpp"

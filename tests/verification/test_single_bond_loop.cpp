@@ -20,12 +20,12 @@ struct Point {
 };
 
 std::vector<Point> run_loop() {
-  const deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/single_bond.yaml", app::full_schema());
+  const deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/single_bond.yaml", materials::full_schema());
   const RunResult run = run_deck(deck);
   EXPECT_EQ(run.stopped, "");
   std::vector<Point> loop{{0, 0}};
   const double side = std::sqrt(0.5);
-  for (const solve::StepRecord& step : run.records.steps) {
+  for (const StepRecord& step : run.records.steps) {
     const double x = side + step.history[0], length = std::hypot(x, side);
     loop.push_back({length - 1, (step.history[1] * x + step.history[2] * side) / length});
   }

@@ -22,7 +22,7 @@ double error_of(const std::string& what, double ratio) { return test::measured(w
 template <class Inside>
 Strain mean_strain(const deck::Deck& deck, Inside&& inside) {
   mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
-  solve::LoadStepper stepper(deck, scene);
+  stepping::LoadStepper stepper(deck, scene);
   Recorder records;
   stepper.run(records);
   mechanics::Stress stress(scene);

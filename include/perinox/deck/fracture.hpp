@@ -49,7 +49,7 @@ struct Contact {
 struct Explicit {
   Location location;
   std::optional<double> time_step;  ///< time; none: the largest stable one times safety
-  double safety = 0.8;              ///< time step over the largest stable one; 0: solve::time_step_safety
+  double safety = 0.8;              ///< time step over the largest stable one; 0: motion::time_step_safety
   double damping = 0;               ///< mass-proportional, 1/time
   std::optional<Contact> contact;
 };

@@ -78,6 +78,8 @@ struct Model {
 bool add_model(Model model);
 /// Declarations of all models, by name, for the deck's schema.
 std::vector<deck::ModelDeclaration> declarations();
+/// The schema of a deck with every registered material: what deck::read() wants.
+deck::Schema full_schema();
 /// Throws InputError if the model is unknown.
 std::unique_ptr<Material> make(const deck::Material& material, deck::Dimension dimension);
 

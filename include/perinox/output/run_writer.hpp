@@ -3,15 +3,15 @@
 #include <string>
 
 #include "perinox/body/body.hpp"
+#include "perinox/core/record.hpp"
 #include "perinox/deck/deck.hpp"
-#include "perinox/solve/record.hpp"
 
 namespace perinox::output {
 
 /// Writes everything a run leaves in its directory: results.h5 and results.xdmf, history.csv, convergence.csv,
 /// deck.resolved.yaml; and prints the Newton table and progress on standard output unless quiet. Warnings go to
 /// standard error, quiet or not.
-class RunWriter : public solve::Observer {
+class RunWriter : public Observer {
  public:
   /// Creates the directory; results that it already holds are moved into its folder previous-<N>, which is said in one
   /// line. Collective. Throws InputError if the directory cannot be used, RunError if a file cannot be created.
@@ -32,31 +32,31 @@ class RunWriter : public solve::Observer {
             const Continuation& from);
   ~RunWriter() override;
 
-  void newton_iteration(const solve::NewtonIteration& row) override;
+  void newton_iteration(const NewtonIteration& row) override;
   void step_rejected(double t_from, double t_to, const std::string& reason) override;
-  void bonds_broken(const solve::BreakingPass& pass) override;
-  void phase_begins(const solve::MotionPhase& phase) override;
+  void bonds_broken(const BreakingPass& pass) override;
+  void phase_begins(const MotionPhase& phase) override;
   /// results.h5: every phase.
-  void phase_ended(const solve::MotionPhase& phase) override;
-  void moves(const solve::MotionMoment& moment) override;
+  void phase_ended(const MotionPhase& phase) override;
+  void moves(const MotionMoment& moment) override;
   void note(const std::string& sentence) override;
   /// Row and step 0.
-  void run_begins(const solve::StepRecord& record) override;
+  void run_begins(const StepRecord& record) override;
   /// history.csv: every step; results.h5: every deck.output.every-th step and the last, with displacement, force and
   /// the fields of deck.output.fields that the scene carries. Collective. Throws RunError if the disk refuses.
-  void step_committed(const solve::StepRecord& record) override;
+  void step_committed(const StepRecord& record) override;
   /// Brings all files to the disk. step: the last committed one. Returns how long the tables are, the same on every
   /// rank. Collective. Throws RunError.
   Continuation sync(int step);
   /// Writes the last converged step to results.h5 if `every` has left it out, or the state that has lost its
   /// equilibrium, which is one step further.
-  void run_stopped(const solve::StepRecord* last) override;
+  void run_stopped(const StepRecord* last) override;
 
  private:
   struct Files;
   void begin(const deck::Deck& deck, const body::Body& body, bool quiet, const Continuation* from);
   /// The row, and the step if it is one of those that are written.
-  void write(const solve::StepRecord& record);
+  void write(const StepRecord& record);
   std::unique_ptr<Files> files_;
 };
 

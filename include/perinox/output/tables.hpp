@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "perinox/core/record.hpp"
 #include "perinox/deck/deck.hpp"
-#include "perinox/solve/record.hpp"
 
 namespace perinox::output {
 
@@ -49,7 +49,7 @@ class HistoryTable {
   HistoryTable(const std::string& path, const std::vector<std::string>& names) : HistoryTable(path, names, {}) {}
   /// kept: bytes of an existing table that stay; 0: a new one.
   HistoryTable(const std::string& path, const std::vector<std::string>& names, Columns columns, long long kept = 0);
-  void row(const solve::StepRecord& record);
+  void row(const StepRecord& record);
   static std::string header(const std::vector<std::string>& names, Columns columns);
   long long sync() { return file_.sync(); }
   const std::string& failure() const { return file_.failure(); }
@@ -69,7 +69,7 @@ std::vector<std::string> history_columns(const deck::Deck& deck);
 class ConvergenceTable {
  public:
   explicit ConvergenceTable(const std::string& path, long long kept = 0);
-  void row(const solve::NewtonIteration& row, int attempt);
+  void row(const NewtonIteration& row, int attempt);
   static std::string header();
   long long sync() { return file_.sync(); }
   const std::string& failure() const { return file_.failure(); }

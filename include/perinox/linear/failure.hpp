@@ -1,0 +1,17 @@
+#pragma once
+
+namespace perinox::linear {
+
+/// Why an attempt at a solution failed. The first four come from a linear solve, the rest from Newton's method around
+/// it.
+enum class Failure {
+  none,
+  linear_iterations,   ///< a linear solve did not reach its tolerance
+  negative_curvature,  ///< the tangent is not positive definite
+  not_finite,          ///< a force is infinite or not a number
+  no_progress,         ///< no step length along Newton's direction makes progress
+  newton_iterations,   ///< too many
+  other
+};
+
+}  // namespace perinox::linear

@@ -1,0 +1,339 @@
+#include "perinox/equilibrium/newton.hpp"
+
+#include <NOX.H>
+#include <NOX_Thyra.H>
+#include <fmt/format.h>
+
+#include <NOX_SolverStats.hpp>
+#include <Teuchos_oblackholestream.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "energy_descent.hpp"
+#include "equilibrium_model.hpp"
+#include "equilibrium_test.hpp"
+#include "natural_line_search.hpp"
+#include "perinox/linear/linear_solve.hpp"
+
+namespace perinox::equilibrium {
+
+using Teuchos::RCP;
+using Teuchos::rcp;
+
+namespace {
+/// Tolerance of the linear solves where looser ones have not led to equilibrium.
+constexpr double careful_tolerance = 1e-5;
+/// Linear iterations of one solve from which on a direct solver is taken in scenes of at most so many particles.
+constexpr int slow_iterations = 300;
+constexpr GlobalId most_direct_plane = 60000, most_direct_solid = 1000;
+}  // namespace
+
+struct Newton::Parts {
+  Parts(const deck::Solver& solver_, const mechanics::Scene& scene_, const loads::Boundary& boundary_)
+      : solver(solver_),
+        scene(scene_),
+        boundary(boundary_),
+        system(scene_, boundary_.prescribed(), solver_),
+        model(rcp(new EquilibriumModel(scene_, boundary_, system, solver.newton))),
+        factory(linear::belos_factory(solver_.linear, system.symmetric())),
+        external(scene_.owned_unknowns()) {}
+
+  /// False if a load or a prescribed displacement is infinite or not a number, on any rank. Collective.
+  bool loads_finite(const std::vector<double>& x) const;
+  /// Solution of the tangent system at the committed state for the step's change of load and prescribed displacement:
+  /// the first guess of the step, added to x.
+  linear::LinearOutcome predict(const mechanics::Committed& committed, std::vector<double>& x);
+  RCP<Teuchos::ParameterList> nox_parameters(const RCP<NaturalLineSearch>& natural) const;
+
+  deck::Solver solver;
+  const mechanics::Scene& scene;
+  const loads::Boundary& boundary;
+  linear::TangentSystem system;
+  RCP<EquilibriumModel> model;
+  RCP<linear::LinearSolverFactory> factory;
+  std::vector<double> external;
+  double iterations_when_made = 0;  ///< linear iterations a solve in the first step
+  double last_iterations = 0;       ///< the same, in the last step
+  int most_iterations = 0;          ///< of one linear solve, in the last step
+};
+
+Newton::Newton(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary)
+    : deck_(deck), scene_(scene), boundary_(boundary) {
+  make_parts();
+}
+Newton::~Newton() = default;
+
+void Newton::make_parts() {
+  deck::Solver solver = deck_.solver;
+  if (direct_) {
+    solver.tangent = deck::TangentKind::assembled;
+    solver.linear.method = deck::LinearMethod::direct;
+  }
+  parts_ = std::make_unique<Parts>(solver, scene_, boundary_);
+  set_tolerance();
+}
+
+void Newton::set_tolerance() {
+  const double asked = deck_.solver.linear.tolerance;
+  parts_->solver.linear.tolerance = careful_ ? std::min(asked, careful_tolerance) : asked;
+}
+
+bool Newton::may_take_direct() const {
+  const deck::Solver& asked = deck_.solver;
+  const GlobalId most = scene_.dimension() == 3 ? most_direct_solid : most_direct_plane;
+  return !direct_ && asked.tangent == deck::TangentKind::automatic &&
+         asked.linear.method == deck::LinearMethod::automatic &&
+         asked.linear.preconditioner == deck::Preconditioner::automatic && deck_.steps.control == deck::Control::load &&
+         scene_.body().total <= most;
+}
+
+void Newton::bonds_changed(bool supports_too) {
+  Parts& p = *parts_;
+  const bool slower = p.iterations_when_made > 0 && p.last_iterations > 1.5 * p.iterations_when_made + 5;
+  if (!supports_too && !p.solver.assembled() && !slower) return;
+  make_parts();
+}
+
+void Newton::save(StateWriter& writer) const {
+  writer.number("newton/iterations_when_made", parts_->iterations_when_made);
+  writer.number("newton/last_iterations", parts_->last_iterations);
+  parts_->system.save(writer);
+}
+
+void Newton::save_remedies(StateWriter& writer) const {
+  writer.integer("newton/careful", careful_ ? 1 : 0);
+  writer.integer("newton/in_vain", in_vain_ ? 1 : 0);
+  writer.integer("newton/direct", direct_ ? 1 : 0);
+}
+
+void Newton::restore_remedies(StateReader& reader) {
+  careful_ = reader.integer("newton/careful") != 0;
+  in_vain_ = reader.integer("newton/in_vain") != 0;
+  direct_ = reader.integer("newton/direct") != 0;
+  if (direct_) make_parts();
+  set_tolerance();
+}
+
+void Newton::restore(StateReader& reader) {
+  if (reader.has("newton/last_iterations")) {
+    parts_->iterations_when_made = reader.number("newton/iterations_when_made");
+    parts_->last_iterations = reader.number("newton/last_iterations");
+  }
+  parts_->system.restore(reader);
+}
+
+const linear::TangentSystem& Newton::system() const { return parts_->system; }
+linear::TangentSystem& Newton::system() { return parts_->system; }
+
+bool Newton::Parts::loads_finite(const std::vector<double>& x) const {
+  double sum = 0;
+  for (std::size_t u = 0; u < x.size(); ++u) sum += std::abs(external[u]) + std::abs(x[u]);
+  return !scene.body().communicator.any(!std::isfinite(sum));
+}
+
+linear::LinearOutcome Newton::Parts::predict(const mechanics::Committed& committed, std::vector<double>& x) {
+  const std::vector<double>& start = committed.displacement();
+  const std::vector<char>& fixed = boundary.prescribed();
+  const std::size_t unknowns = x.size();
+  try {
+    system.update(committed, start.data());
+    system.update_preconditioner();
+  } catch (const std::exception& failure) {  // a matrix that cannot be factorised
+    linear::LinearOutcome outcome;
+    outcome.failure = linear::failure_of(failure);
+    outcome.reason = linear::sentence_of(failure);
+    return outcome;
+  }
+  model->evaluate(start.data());
+  std::vector<double> jump(unknowns, 0.0), stiff(unknowns);
+  for (std::size_t u = 0; u < unknowns; ++u)
+    if (fixed[u]) jump[u] = x[u] - start[u];
+  system.tangent().apply(jump.data(), stiff.data());
+
+  auto right = rcp(new tpetra::Vector(system.map())), left = rcp(new tpetra::Vector(system.map()));
+  {
+    const auto values = right->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t u = 0; u < unknowns; ++u) values(u, 0) = fixed[u] ? 0 : model->force()[u] + external[u] - stiff[u];
+  }
+  const linear::LinearOutcome outcome = linear::solve_linear(*factory, model->create_W_op(), model->create_W_prec(),
+                                                             solver.linear.tolerance, right, left);
+  if (!outcome.converged) return outcome;
+  const auto values = left->getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (std::size_t u = 0; u < unknowns; ++u)
+    if (!fixed[u]) x[u] = start[u] + values(u, 0);
+  return outcome;
+}
+
+RCP<Teuchos::ParameterList> Newton::Parts::nox_parameters(const RCP<NaturalLineSearch>& natural) const {
+  auto all = Teuchos::parameterList();
+  all->set("Nonlinear Solver", "Line Search Based");
+  auto& newton = all->sublist("Direction").sublist("Newton");
+  all->sublist("Direction").set("Method", "Newton");
+  newton.set("Forcing Term Method", "Constant");  // EquilibriumTest sets the tolerance of every solve
+  newton.set("Rescue Bad Newton Solve", true);
+  newton.sublist("Linear Solver").set("Tolerance", solver.linear.tolerance);
+  auto& search = all->sublist("Line Search");
+  if (solver.newton.line_search == deck::LineSearch::backtrack) {
+    search.set("Method", "User Defined");
+    search.set<RCP<NOX::LineSearch::UserDefinedFactory>>("User Defined Line Search Factory",
+                                                         rcp(new GivenLineSearch(natural)));
+  } else {
+    search.set("Method", "Full Step");
+  }
+  // What NOX would print is said in perinox' own words.
+  const RCP<std::ostream> nowhere = rcp(new Teuchos::oblackholestream);
+  all->sublist("Printing").set("Output Information", 0).set("Output Stream", nowhere).set("Error Stream", nowhere);
+  all->sublist("Solver Options").set("Status Test Check Type", "Complete");
+  return all;
+}
+
+NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int step, const std::vector<double>& guess,
+                           Observer& observer, mechanics::Trial& trial, std::vector<double>& force) {
+  NewtonResult result = attempt(committed, t, step, guess, observer, trial, force);
+  const auto again = [&](const std::string& how) {
+    observer.step_rejected(committed.t(), t, result.reason + "; " + how);
+    result = attempt(committed, t, step, guess, observer, trial, force);
+  };
+  const bool inexact = result.failure == linear::Failure::negative_curvature ||
+                       result.failure == linear::Failure::no_progress ||
+                       result.failure == linear::Failure::newton_iterations;
+  if (inexact && !careful_ && !in_vain_ && !direct_ && deck_.solver.linear.tolerance > careful_tolerance &&
+      deck_.steps.control == deck::Control::load) {
+    careful_ = true;
+    set_tolerance();
+    again(fmt::format("again with linear solves to {:g}", careful_tolerance));
+    in_vain_ = !result.converged;
+    careful_ = !in_vain_;
+    set_tolerance();
+  }
+  if (result.failure == linear::Failure::linear_iterations && may_take_direct()) {
+    direct_ = true;
+    make_parts();
+    again("again with a direct solver");
+  } else if (result.converged && parts_->most_iterations > slow_iterations && may_take_direct()) {
+    observer.note(
+        fmt::format("a linear solve has taken {} iterations: goes on with a direct solver", parts_->most_iterations));
+    direct_ = true;
+    make_parts();
+  }
+  if (result.converged) in_vain_ = false;
+  return result;
+}
+
+NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, int step,
+                             const std::vector<double>& guess, Observer& observer, mechanics::Trial& trial,
+                             std::vector<double>& force) {
+  Parts& p = *parts_;
+  NewtonResult result;
+  p.boundary.external_force(t, p.external.data());
+  p.model->set_step(committed, p.external, t);
+
+  std::vector<double> x(committed.displacement().begin(),
+                        committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.scene.owned_unknowns()));
+  // A rank without particles has an empty guess also where there is one.
+  const bool guessed = p.scene.body().communicator.any(!guess.empty());
+  if (guessed) x = guess;
+  p.boundary.impose(t, x.data());
+  if (!p.loads_finite(x)) {
+    result.failure = linear::Failure::not_finite;
+    result.reason = p.boundary.not_finite(t);
+    return result;
+  }
+  bool good_guess = p.boundary.free_count() == 0;
+  if (guessed) {
+    const ForceBalance& balance = p.model->evaluate(x.data());
+    good_guess = good_guess || (balance.finite && p.model->relative_residual() < 0.1);
+  }
+  if (!good_guess) {
+    const linear::LinearOutcome outcome = p.predict(committed, x);
+    if (!outcome.converged) {
+      result.failure = outcome.failure;
+      result.reason = "no first guess: " + outcome.reason;
+      return result;
+    }
+    result.linear_iterations += outcome.iterations;
+  }
+
+  auto start = rcp(new tpetra::Vector(p.system.map()));
+  {
+    const auto values = start->getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t u = 0; u < x.size(); ++u) values(u, 0) = x[u];
+  }
+  const auto space = p.model->get_x_space();
+  const NOX::Thyra::Vector initial(Thyra::createVector<double, LocalIndex, GlobalId>(start, space));
+  const RCP<Thyra::PreconditionerFactoryBase<double>> no_factory;
+  auto group = rcp(
+      new NOX::Thyra::Group(initial, p.model, p.model->create_W_op(), p.factory, p.model->create_W_prec(), no_factory));
+  const auto natural = rcp(new NaturalLineSearch(*p.model, *p.factory, p.model->reach()));
+  auto parameters = p.nox_parameters(natural);
+  auto test = rcp(new EquilibriumTest(*p.model, committed, p.solver, step, t, observer,
+                                      parameters->sublist("Direction").sublist("Newton").sublist("Linear Solver")));
+  if (may_take_direct()) test->fail_at_linear_limit();
+  NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
+  std::string trouble;
+  try {
+    const auto solver = NOX::Solver::buildSolver(group, test, parameters);
+    status = solver->solve();
+    result.newton_iterations = solver->getNumIterations();
+    result.linear_iterations += solver->getSolverStatistics()->linearSolve.allNonlinearSolves_NumLinearIterations +
+                                natural->linear_iterations();
+  } catch (const std::exception& failure) {
+    result.failure = linear::failure_of(failure);
+    trouble = linear::sentence_of(failure);
+  } catch (const char* failure) {  // NOX throws bare strings
+    result.failure = linear::Failure::other;
+    trouble = std::string("NOX stopped: ") + failure;
+  }
+  p.most_iterations = test->most_linear_iterations();
+  if (result.newton_iterations > 0) {
+    p.last_iterations = static_cast<double>(result.linear_iterations) / result.newton_iterations;
+    if (p.iterations_when_made == 0) p.iterations_when_made = p.last_iterations;
+  }
+  if (status == NOX::StatusTest::Converged) {
+    result.converged = true;
+    trial = std::move(p.model->trial());
+    force = p.model->force();
+    return result;
+  }
+  if (!trouble.empty()) {
+    result.reason = trouble;
+  } else if (!test->finite()) {
+    result.failure = linear::Failure::not_finite;
+    result.reason = p.model->not_finite();
+  } else if (test->at_linear_limit()) {
+    result.failure = linear::Failure::linear_iterations;
+    result.reason = fmt::format("the linear solver did not reach {:.1g} in {} iterations", test->last().forcing,
+                                test->last().linear_iterations);
+  } else if (test->last().iteration >= p.solver.newton.max_iterations) {
+    result.failure = linear::Failure::newton_iterations;
+    result.reason = fmt::format("Newton did not converge in {} iterations (relative residual {:.2e})",
+                                test->last().iteration, test->last().relative_residual);
+  } else {
+    result.failure = linear::Failure::no_progress;
+    result.reason = fmt::format("no step length along Newton's direction makes progress (relative residual {:.2e})",
+                                test->last().relative_residual);
+  }
+  return result;
+}
+
+NewtonResult Newton::descend(const mechanics::Committed& committed, double t, int step, Observer& observer,
+                             mechanics::Trial& trial, std::vector<double>& force) {
+  NewtonResult result;
+  if (!parts_->system.symmetric() || deck_.solver.assembled()) return result;
+  std::unique_ptr<Parts> without_matrix;
+  if (direct_) without_matrix = std::make_unique<Parts>(deck_.solver, scene_, boundary_);
+  Parts& p = direct_ ? *without_matrix : *parts_;
+  p.boundary.external_force(t, p.external.data());
+  p.model->set_step(committed, p.external, t);
+  std::vector<double> x(committed.displacement().begin(),
+                        committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.scene.owned_unknowns()));
+  p.boundary.impose(t, x.data());
+  result = EnergyDescent(p.solver, p.boundary, p.system, *p.model, *p.factory, p.model->reach())
+               .run(committed, p.external, t, step, observer, x);
+  if (!result.converged) return result;
+  trial = std::move(p.model->trial());
+  force = p.model->force();
+  return result;
+}
+
+}  // namespace perinox::equilibrium

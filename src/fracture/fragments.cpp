@@ -1,0 +1,16 @@
+#include "perinox/fracture/fragments.hpp"
+
+#include <algorithm>
+
+#include "perinox/bonds/components.hpp"
+
+namespace perinox::fracture {
+
+void Fragments::find() {
+  const bonds::Components pieces = bonds::connected_components(scene_.body(), scene_.bond_graph());
+  number_.assign(pieces.of.begin(), pieces.of.begin() + scene_.owned());
+  single_ = std::count(pieces.particles.begin(), pieces.particles.end(), 1LL);
+  several_ = pieces.count() - single_;
+}
+
+}  // namespace perinox::fracture
