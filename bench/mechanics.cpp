@@ -30,6 +30,7 @@ using namespace perinox;
 struct Cube {
   Cube(int n, bool plastic, bool cloud)
       : scene(mechanics::build_scene(read(n, plastic, cloud), Communicator(MPI_COMM_SELF))),
+        evaluation(std::make_shared<mechanics::Evaluation>(scene)),
         committed(scene),
         displacement(scene.owned_unknowns(), 0.0),
         force(scene.owned_unknowns()) {
@@ -37,12 +38,13 @@ struct Cube {
     const auto stretch_by = [&](double stretch) {
       for (LocalIndex i = 0; i < scene.owned(); ++i)
         displacement[static_cast<std::size_t>(i) * 3 + 2] = stretch * scene.body().position(i)[2];
-      mechanics::internal_force(scene, committed, displacement.data(), trial, force.data());
+      displacement_is_new();
+      mechanics::internal_force(*evaluation, committed, at(), trial, force.data());
       if (trial.yielding != (plastic ? scene.owned() : 0)) throw std::logic_error("the cube is not in the state meant");
     };
     if (plastic) {
       stretch_by(0.02);
-      committed.advance(scene, std::move(trial));
+      committed.advance(*evaluation, std::move(trial));
     }
     stretch_by(plastic ? 0.021 : 0.001);
   }
@@ -76,9 +78,14 @@ struct Cube {
           << cell / n / n + 0.5 + jitter(generator) << ",1\n";
   }
 
+  void displacement_is_new() { version = medium::new_version(); }
+  medium::At at() const { return {displacement.data(), version}; }
+
   mechanics::Scene scene;
+  std::shared_ptr<mechanics::Evaluation> evaluation;
   mechanics::Committed committed;
   std::vector<double> displacement, force;
+  std::uint64_t version = 0;
   mechanics::Trial trial;
 };
 
@@ -106,26 +113,28 @@ void internal_force(benchmark::State& state) {
   const double first = cube.displacement[0];
   double step = 1e-12;
   for (auto _ : state) {
-    cube.displacement[0] = first + step;  // the strains of the state before would be found and taken
+    cube.displacement[0] = first + step;
     step = -step;
-    mechanics::internal_force(cube.scene, cube.committed, cube.displacement.data(), cube.trial, cube.force.data());
+    cube.displacement_is_new();
+    mechanics::internal_force(*cube.evaluation, cube.committed, cube.at(), cube.trial, cube.force.data());
   }
   cube.displacement[0] = first;
+  cube.displacement_is_new();
   report(state, cube);
 }
 
 void linearise(benchmark::State& state) {
   Cube& cube = cube_of(state);
-  mechanics::MatrixFreeTangent tangent(cube.scene);
-  for (auto _ : state) tangent.linearise(cube.committed, cube.displacement.data(), deck::TangentForm::consistent);
+  mechanics::MatrixFreeTangent tangent(cube.scene, cube.evaluation);
+  for (auto _ : state) tangent.linearise(cube.committed, cube.at(), deck::TangentForm::consistent);
   report(state, cube);
   state.counters["bytes_per_particle"] = static_cast<double>(tangent.bytes()) / cube.scene.owned();
 }
 
 void diagonal_blocks(benchmark::State& state) {
   Cube& cube = cube_of(state);
-  mechanics::MatrixFreeTangent tangent(cube.scene);
-  tangent.linearise(cube.committed, cube.displacement.data(), deck::TangentForm::consistent);
+  mechanics::MatrixFreeTangent tangent(cube.scene, cube.evaluation);
+  tangent.linearise(cube.committed, cube.at(), deck::TangentForm::consistent);
   std::vector<double> blocks(cube.scene.owned_unknowns() * 3);
   for (auto _ : state) tangent.diagonal_blocks(blocks.data());
   report(state, cube);
@@ -133,8 +142,8 @@ void diagonal_blocks(benchmark::State& state) {
 
 void product(benchmark::State& state) {
   Cube& cube = cube_of(state);
-  mechanics::MatrixFreeTangent tangent(cube.scene);
-  tangent.linearise(cube.committed, cube.displacement.data(), deck::TangentForm::consistent);
+  mechanics::MatrixFreeTangent tangent(cube.scene, cube.evaluation);
+  tangent.linearise(cube.committed, cube.at(), deck::TangentForm::consistent);
   for (auto _ : state) tangent.apply(cube.displacement.data(), cube.force.data());
   report(state, cube);
 }
@@ -142,7 +151,7 @@ void product(benchmark::State& state) {
 void assembly(benchmark::State& state) {
   Cube& cube = cube_of(state);
   mechanics::StoredTangent tangent(cube.scene);
-  tangent.linearise(cube.committed, cube.displacement.data(), deck::TangentForm::consistent);
+  tangent.linearise(cube.committed, cube.at(), deck::TangentForm::consistent);
   mechanics::AssembledTangent assembled(cube.scene, std::vector<char>(cube.scene.local_unknowns(), 0));
   for (auto _ : state) assembled.fill(tangent, 1);
   report(state, cube);
@@ -152,7 +161,7 @@ void assembly(benchmark::State& state) {
 void assembled_product(benchmark::State& state) {
   Cube& cube = cube_of(state);
   mechanics::StoredTangent tangent(cube.scene);
-  tangent.linearise(cube.committed, cube.displacement.data(), deck::TangentForm::consistent);
+  tangent.linearise(cube.committed, cube.at(), deck::TangentForm::consistent);
   mechanics::AssembledTangent assembled(cube.scene, std::vector<char>(cube.scene.local_unknowns(), 0));
   assembled.fill(tangent, 1);
   tpetra::Vector x(assembled.matrix()->getDomainMap()), y(assembled.matrix()->getRangeMap());

@@ -13,16 +13,16 @@ namespace perinox::app {
 
 namespace {
 
-/// Rough: what a lattice body takes on a core of 2020, docs/performance.md.
+/// Rough times of a bond of a lattice body, and of a pair of any other body, on a core of 2020 (docs/performance.md).
 constexpr double nanoseconds_a_bond = 1.5, nanoseconds_a_pair = 4;
 
-/// A load step takes two Newton iterations at least, each of a linear solve with twenty products and its
+/// A load step takes at least two Newton iterations, each with a linear solve of twenty products and its
 /// preconditioner.
 constexpr double least_products_a_step = 60;
-/// A core's year is not what anybody means to wait for.
+/// Nobody means to wait for a core's year.
 constexpr double long_seconds = 365.25 * 86400;
 
-/// Core seconds of a product of the tangent, or of a time step. Collective.
+/// Core seconds of one product of the tangent, or of one time step. Collective.
 double seconds_of_a_sweep(const Problem& problem, const Communicator& communicator) {
   const auto bonds = static_cast<double>(communicator.sum(problem.scene.families().directed));
   return 1e-9 * bonds * (problem.scene.lattice() ? nanoseconds_a_bond : nanoseconds_a_pair);
@@ -33,7 +33,8 @@ std::string remark_on(double seconds, const char* what) {
   return fmt::format("  warning: {:.3g} years of a core; is {} what you mean?\n", seconds / long_seconds, what);
 }
 
-/// Number of load steps, what is written, cost at least; empty for a deck that moves in time. Collective.
+/// The number of load steps, what is written, and the least cost in words. It is empty for a deck that moves in time.
+/// Collective.
 std::string load_steps_in_words(const Problem& problem, const Communicator& communicator) {
   const deck::Deck& deck = problem.deck;
   if (deck.dynamics == deck::Dynamics::explicit_) return "";
@@ -50,7 +51,7 @@ std::string load_steps_in_words(const Problem& problem, const Communicator& comm
          remark_on(seconds, arc ? "arc_length.max_steps" : "steps.count");
 }
 
-/// Time step, number of time steps, cost; empty for a quasi-static deck. Collective.
+/// The time step, the number of time steps and the cost in words. It is empty for a quasi-static deck. Collective.
 std::string motion_in_words(Problem& problem, const Communicator& communicator) {
   if (problem.deck.dynamics != deck::Dynamics::explicit_) return "";
   stepping::TimeStepper stepper(problem.deck, problem.scene);
@@ -68,7 +69,7 @@ std::string motion_in_words(Problem& problem, const Communicator& communicator) 
   return text;
 }
 
-/// A warning where the prescribed displacements stretch what flows farther than its law holds for; else empty.
+/// A warning if the prescribed displacements stretch a material that flows farther than its law holds; otherwise empty.
 /// Collective.
 std::string stretch_in_words(const Problem& problem, const loads::Boundary& boundary) {
   if (!stepping::flows_finitely(problem.scene)) return "";

@@ -18,12 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A step is taken for granted to last this many times the one before at most.
+/// A step is expected to last at most this many times as long as the one before.
 constexpr double caution = 1.25;
-/// By the clock a checkpoint comes after so many times what the last one took at the earliest: 5 % of a run at most.
+/// By the clock a checkpoint comes at the earliest after this many times the duration of the last one: 5 % of a run at
+/// most.
 constexpr double most_writing = 20;
 
-/// The longest time from one moment to the next, of late: a long one is forgotten slowly, so that one short one after
+/// The longest time from one moment to the next, of late. A long one is forgotten slowly, so that one short time after
 /// it does not make the run reckless. Moves `last` on to now.
 double of_late(double longest, double& last) {
   const double moment = now(), since = moment - last;
@@ -31,8 +32,8 @@ double of_late(double longest, double& last) {
   return std::max(since, 0.8 * longest);
 }
 
-/// The sentence about the first file of the deck that holds something else than when the checkpoint was written; "" if
-/// there is none. now: output::file_fingerprints().
+/// The sentence about the first file of the deck whose contents differ from those when the checkpoint was written; ""
+/// if there is none. now: output::file_fingerprints().
 std::string refuse_other_files(const deck::Deck& deck, const Restart& from, const std::string& now) {
   if (from.head.files.empty()) return "";  // none, or an earlier version did not note it
   std::istringstream before(from.head.files), after(now);
@@ -48,7 +49,7 @@ std::string refuse_other_files(const deck::Deck& deck, const Restart& from, cons
   return "";
 }
 
-/// As a shell takes it for one word.
+/// The text as a shell takes it for one word.
 std::string word(const std::string& text) {
   const bool plain = !text.empty() && text.find_first_not_of(
                                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -163,7 +164,7 @@ void Checkpointing::write(int step, double t, bool within) {
 std::string Checkpointing::reason_to_stop(double seconds) const {
   const std::string signal = noted_signal();
   if (communicator_.any(!signal.empty())) {
-    // Only one of the ranks may know which.
+    // Perhaps only one of the ranks knows which signal it was.
     const std::vector<long long> numbers = communicator_.gather(static_cast<long long>(signal.empty()        ? 0
                                                                                        : signal == "SIGTERM" ? 1
                                                                                        : signal == "SIGINT"  ? 2

@@ -18,20 +18,21 @@ struct Options {
   bool quiet = false;
 };
 
-/// Reads the deck on every rank; all ranks leave together if any cannot. Collective.
+/// Reads the deck on every rank. All ranks leave together if any of them cannot. Collective.
 deck::Deck read_deck(const Options& options, const Communicator& communicator);
 
-// The commands. Each is collective, prints on rank 0, and returns the exit status or throws InputError (2) or
-// RunError (1).
+// The commands. Each one is collective, prints on rank 0, and returns the exit status or throws InputError (status 2)
+// or RunError (status 1).
 int run(const Options& options, const Communicator& communicator);
 int check(const Options& options, const Communicator& communicator);
 int verify(const Options& options, const Communicator& communicator);
-/// key: empty for the list of keys; `--page` and `--json-schema` print the generated documents.
+/// Prints help on a key of the deck; an empty key stands for the list of keys. `--page` and `--json-schema` print the
+/// generated documents.
 int help(const std::string& key, bool page, bool json_schema, const Communicator& communicator);
-/// The table of a study's keys, for docs/studies.md.
+/// Prints the table of a study's keys, for docs/studies.md.
 int study_keys(const Communicator& communicator);
 
-/// Uses no MPI, and refuses to be one of several ranks.
+/// Conducts a study. It uses no MPI and refuses to be one of several ranks.
 int study(study::Request request);
 
 }  // namespace perinox::app

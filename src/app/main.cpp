@@ -1,4 +1,5 @@
-/// perinox: the commands of docs/commands.md. Exit status: 0 done; 1 the run stopped short; 2 the input is wrong.
+/// The program perinox: the commands of docs/commands.md. Exit status: 0 done; 1 the run stopped short; 2 the input is
+/// wrong.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -24,7 +25,7 @@ void say(bool is_root, const char* prefix, const std::string& sentence) {
 
 const std::vector<std::string> commands{"run", "check", "verify", "study", "help"};
 
-/// What stands below a command's options: lines that can be typed in the program's folder, and what they do.
+/// Adds the text below a command's options: lines that can be typed in the program's folder, and what they do.
 void give_examples(CLI::App& cli) {
   cli.footer(
       "perinox COMMAND --help tells more of one command, perinox help KEY of a deck's key.\n"
@@ -72,7 +73,8 @@ void give_examples(CLI::App& cli) {
       "      a command");
 }
 
-/// `ranks` is missing where MPI is not up: for the command study, whose runs are MPI programs of their own.
+/// Parses the command line and runs the command. `ranks` is null if MPI is not up, as for the command study, whose runs
+/// are MPI programs of their own.
 int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool is_root) {
   using namespace perinox;
   app::Options options;
@@ -140,9 +142,9 @@ int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool
   return app::help(key, page, json_schema, *ranks);
 }
 
-/// A process started without mpirun talks to itself only. Two thirds of its start is what Open MPI brings up for
-/// others: networks, and a daemon for MPI_Comm_spawn. Without the daemon all such runs of a user would share one folder
-/// in /tmp, which the first to end takes away from the rest; so each has its own.
+/// Sets up a process that was started without mpirun and talks to itself only. Two thirds of its start is what Open MPI
+/// brings up for others: networks, and a daemon for MPI_Comm_spawn. Without the daemon all such runs of a user would
+/// share one folder in /tmp, which the first one to end takes away from the rest; so each gets its own.
 class StartAlone {
  public:
   StartAlone() {
@@ -154,7 +156,7 @@ class StartAlone {
     folder_ = folder;
     setenv("OMPI_MCA_ess_singleton_isolated", "1", 1);
     setenv("OMPI_MCA_orte_tmpdir_base", folder_.c_str(), 1);
-    setenv("OMPI_MCA_pml", "ob1", 1);  // in place of what is set for runs on many machines, too
+    setenv("OMPI_MCA_pml", "ob1", 1);  // also replaces what is set for runs on many machines
     setenv("OMPI_MCA_btl", "self", 1);
   }
   StartAlone(const StartAlone&) = delete;
@@ -172,7 +174,7 @@ class StartAlone {
 
 int main(int argc, char** argv) {
   if (argc > 1 && argv[1] == std::string("study")) {
-    // Under mpirun the first rank refuses for all; another that failed before it would have it ended unheard.
+    // Under mpirun the first rank refuses for all. If another rank failed before it, the first would be ended unheard.
     if (!perinox::study::first_rank_around()) return 0;
     try {
       return command_line(argc, argv, nullptr, true);
@@ -185,7 +187,7 @@ int main(int argc, char** argv) {
     }
   }
   const StartAlone alone;
-  // Kokkos takes --help and other options for its own: it is shown the program's name alone.
+  // Kokkos takes --help and other options for its own, so it is shown the program's name alone.
   int shown = 1;
   char* name_only[] = {argv[0], nullptr};
   char** names = name_only;
@@ -200,7 +202,7 @@ int main(int argc, char** argv) {
     say(ranks.is_root(), "perinox: ", error.what());
     return 1;
   } catch (const std::exception& error) {
-    // Not agreed on by the ranks: the others may be waiting for this one, so all are ended.
+    // The ranks have not agreed on this error. The others may be waiting for this one, so all are ended.
     fmt::print(stderr, "perinox: rank {}: {}\n", ranks.rank(), error.what());
     std::fflush(stderr);
     if (ranks.size() > 1) MPI_Abort(ranks.mpi(), 1);

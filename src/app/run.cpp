@@ -24,19 +24,19 @@ namespace perinox::app {
 
 namespace {
 
-/// Share of the work that may be missing without a word: where it is known along the path of a step, along its chord,
-/// and where part of the way went in time.
+/// Share of the work that may be missing without a warning: where it is known along the path of a step, along its
+/// chord, and where part of the way went in time.
 constexpr double worth_a_warning = 1e-4;
 constexpr double worth_a_warning_of_chords = 0.05;
 constexpr double worth_a_warning_in_time = 0.01;
 
-/// What the states that were reached have that the model does not hold for.
+/// Prints warnings about states that were reached and for which the model does not hold.
 void say_doubts(const stepping::Validity& validity, const Communicator& communicator) {
   if (!communicator.is_root()) return;
   for (const std::string& sentence : validity.at_end()) fmt::print(stderr, "warning: {}\n", sentence);
 }
 
-/// What to say of a share that is missing; nothing if it is small.
+/// The remark on a share that is missing; "" if it is small.
 std::string remark_on(double gap, const mechanics::Scene& scene, const stepping::Energies& e) {
   const std::string what = fmt::format("the external work is {:.2g} % {} than what is stored and dissipated",
                                        100 * std::abs(gap), gap > 0 ? "more" : "less");
@@ -64,12 +64,12 @@ std::string directory_of(const Options& options) {
   return (std::filesystem::path("results") / std::filesystem::path(options.deck).stem()).string();
 }
 
-/// The lock on the directory of the results, which the root holds for all ranks. Collective; throws InputError.
+/// Takes the lock on the directory of the results, which the root holds for all ranks. Collective. Throws InputError.
 std::unique_ptr<output::DirectoryLock> lock_directory(const Options& options, const Communicator& communicator) {
   std::unique_ptr<output::DirectoryLock> lock;
   std::string refusal;
   const std::string directory = directory_of(options);
-  // A checkpoint that is not there is refused later, and no directory made for it.
+  // A checkpoint that is not there is refused later, and no directory is made for it.
   const bool nothing = options.output.empty() && !options.restart.empty() && !std::filesystem::exists(directory);
   if (communicator.is_root() && !nothing) try {
       lock = std::make_unique<output::DirectoryLock>(directory, options.deck);
@@ -86,7 +86,7 @@ bool same_directory(const std::string& a, const std::string& b) {
   return std::filesystem::equivalent(a, b, error) && !error;
 }
 
-/// Runs either stepper into the directory, and says where the time went, of a run that stops short too.
+/// Runs either stepper into the directory. It says where the time went, also for a run that stops short.
 template <class Stepper>
 void run_into(Stepper& stepper, const Problem& problem, const Options& options, const Communicator& communicator,
               const std::optional<Restart>& from, double begin) {

@@ -33,7 +33,7 @@ std::string bytes(double value) {
   return fmt::format("{:.1f} kB", value / 1e3);
 }
 
-/// Memory of this machine that is free for programs, bytes; 0 where the system does not say.
+/// Memory of this machine that is free for programs, bytes. It is 0 where the system does not say.
 double available_memory() {
   std::ifstream file("/proc/meminfo");
   for (std::string word; file >> word;) {
@@ -43,7 +43,7 @@ double available_memory() {
   return 0;
 }
 
-/// The tangent that is used and why; what the matrix costs or would cost. The memory is that of rank 0's machine.
+/// The tangent that is used and why, and what the matrix costs or would cost. The memory is that of rank 0's machine.
 std::string tangent_choice(const deck::Solver& solver, double matrix, double unknowns) {
   const double available = available_memory();
   const std::string here = available > 0 ? fmt::format(", {} are available here", bytes(available)) : "";
@@ -65,7 +65,8 @@ std::string tangent_choice(const deck::Solver& solver, double matrix, double unk
   return text;
 }
 
-/// What the Krylov method takes at once, and why; empty where it is one product. Collective.
+/// The number of products that the Krylov method takes at once, and why. It is empty if that is one product.
+/// Collective.
 std::string steps_choice(const deck::Solver& solver, const mechanics::Scene& scene) {
   if (solver.assembled() || solver.linear.preconditioner == deck::Preconditioner::none) return "";
   const int asked = solver.linear.chebyshev_steps, steps = asked > 0 ? asked : linear::chebyshev_steps(scene);
@@ -103,7 +104,7 @@ Totals totals_of(const mechanics::Scene& scene) {
   return t;
 }
 
-/// Bytes over all ranks.
+/// Memory over all ranks, bytes.
 struct Memory {
   double families = 0, loops = 0, plastic = 0;
 };
@@ -121,7 +122,7 @@ Memory memory_of(const mechanics::Scene& scene) {
   return memory;
 }
 
-/// The line about particles that have not a whole cell; "" if all have.
+/// The line about particles that do not have a whole cell; "" if all have.
 std::string parts_of_cells(const body::Body& body) {
   if (body.spacing == 0) return "";
   const double whole = std::pow(body.spacing, body.dimension);
@@ -186,20 +187,22 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
     out +=
         fmt::format("  {}: {} particles\n", set.name, ranks.sum(static_cast<long long>(body.sets.at(set.name).size())));
 
-  // What is carried, and what it costs.
+  // The following lines say what is carried and what it costs.
   const Memory memory = memory_of(scene);
   const double local = particles + static_cast<double>(t.ghosts);
   const double plastic_bonds = static_cast<double>(t.bond_history);
-  // Reference, id, volume and the like; committed, trial, evaluated and earlier displacement, forces, point values.
+  // The bytes of points are those of reference, id, volume and the like, and of committed, trial, evaluated and earlier
+  // displacement, forces and point values.
   const double points = local * (2 * d + 3) * sizeof(double) + local * 5 * d * sizeof(double) +
                         (particles * 8 + 2 * static_cast<double>(t.point_history)) * sizeof(double);
-  // Newton's and the Krylov method's vectors, the preconditioner with a V-cycle (93 bytes a particle measured, 290 with
-  // the finer cells): about.
+  // About the memory of Newton's and the Krylov method's vectors and the preconditioner with a V-cycle (93 bytes a
+  // particle measured, 290 with the finer cells).
   const std::string steps = steps_choice(deck.solver, scene);
   const double solving = particles *
                          (14 * d + d * d + (linear::finer_cells_pay(scene) ? 40 : 16) + (steps.empty() ? 0 : 3 * d)) *
                          sizeof(double);
-  // Two families wide: a sphere of twice the horizon holds 8 (2-D: 4) families, less its thin rim.
+  // A row of the matrix is two families wide: a sphere of twice the horizon holds 8 (2-D: 4) families, less its thin
+  // rim.
   const double matrix = bonds * (d == 3 ? 6.8 : 3.7) * d * d * 12;
   const bool lattice = scene.lattice() != nullptr;
   out += "fields and terms\n";
@@ -238,8 +241,8 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   if (!in_time && deck.solver.assembled())
     line("assembled matrix, its bonds and stored tangent, about", matrix + bonds * 88);
   if (!in_time) out += fmt::format("solver\n  {}\n{}", tangent_choice(deck.solver, matrix, particles * d), steps);
-  // Counted in the sweeps, a reciprocal root as twelve: 12 d + 14 operations a directed bond, 8 more where it flows.
-  // From memory a product reads the plastic extension twice and everything else about once.
+  // Operations are counted in the sweeps, a reciprocal root as twelve: 12 d + 14 a directed bond, 8 more where it
+  // flows. From memory a product reads the plastic extension twice and everything else about once.
   const double product = bonds * (12 * d + 14) + 8 * plastic_bonds;
   const double read = memory.loops / 2 + memory.families + 2 * memory.plastic;
   out += fmt::format("cost\n  one {} {:.3g} Mflop, at most {} read; {}\n", in_time ? "time step" : "product",

@@ -9,13 +9,13 @@
 
 namespace perinox::app {
 
-/// The scene in words. The same on every rank.
+/// The scene in words. It is the same on every rank.
 struct SceneReport {
-  std::string summary;  ///< particles, bonds, partition: what `run` prints first
-  std::string details;  ///< materials, sets, fields and terms carried, memory and cost: what `check` adds
+  std::string summary;  ///< particles, bonds and partition, which `run` prints first
+  std::string details;  ///< materials, sets, fields and terms carried, memory and cost, which `check` adds
 };
 
-/// Collective.
+/// Describes the scene. Collective.
 SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, const body::PartitionReport& partition);
 
 /// What run, check and verify start from.
@@ -25,11 +25,11 @@ struct Problem {
   SceneReport report;
 };
 
-/// Reads the deck, builds the scene, describes it. Collective; throws InputError.
+/// Reads the deck, builds the scene and describes it. Collective. Throws InputError.
 Problem prepare(const Options& options, const Communicator& communicator);
 Problem prepare(deck::Deck deck, const Communicator& communicator);
 
-/// The remarks on the deck, its materials and its boundary, on rank 0, as notes on standard error; quiet or not.
+/// Prints the remarks on the deck, its materials and its boundary on rank 0, as notes on standard error, even if quiet.
 void say_remarks(const Problem& problem, const loads::Boundary& boundary, const Communicator& communicator);
 
 }  // namespace perinox::app

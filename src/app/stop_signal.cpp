@@ -13,7 +13,7 @@ namespace {
 volatile std::sig_atomic_t noted = 0;
 volatile std::sig_atomic_t speaking = 0;
 
-// Only what a signal handler may do: no memory is asked for, and errno is left as it was.
+// Does only what a signal handler may do: it asks for no memory and leaves errno as it was.
 void say(std::string_view text) {
   const int before = errno;
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());

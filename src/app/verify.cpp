@@ -10,11 +10,11 @@
 namespace perinox::app {
 
 namespace {
-// Bounds of `verify`; a central difference of the whole force reaches about 1e-9 (docs/theory.md).
+// Bounds of `verify`. A central difference of the whole force reaches about 1e-9 (docs/theory.md, section 6).
 constexpr double direction_bound = 1e-7;
 constexpr double symmetry_bound = 1e-12;
 constexpr double assembled_bound = 1e-13;
-// The sparse matrix is compared where it stays below this many bonds: about 1 GB.
+// The sparse matrix is compared if it stays below this many bonds, which is about 1 GB.
 constexpr long long assembled_bonds = 1'500'000;
 }  // namespace
 

@@ -25,7 +25,7 @@ bool radical_plane(const Surface& a, const Surface& b, Surface& plane) {
   return true;
 }
 
-/// A tube and a ball on its axis, whose common circles are at right angles to it.
+/// True for a tube and a ball on its axis, whose common circles are at right angles to the axis.
 bool coaxial(const Surface& a, const Surface& b) {
   const Surface& tube = a.kind == Surface::Kind::tube ? a : b;
   const Surface& ball = a.kind == Surface::Kind::tube ? b : a;
@@ -84,7 +84,7 @@ bool Arrangement::near(const Point& x) const {
   return true;
 }
 
-/// keep(x) for the points in which the line meets surfaces near the box.
+/// Calls keep(x) for the points in which the line meets surfaces near the box.
 template <class Keep>
 void Arrangement::points_on(const Point& at, const Point& direction, const Keep& keep) const {
   const auto take = [&](double t) {
@@ -103,7 +103,7 @@ void Arrangement::points_on(const Point& at, const Point& direction, const Keep&
   }
 }
 
-/// keep(x) for the points of the curve in which plane and round meet that are extreme along e.
+/// Calls keep(x) for the points of the curve common to plane and round surface that are extreme along e.
 template <class Keep>
 void Arrangement::extremes_on(const Surface& plane, const Surface& round, const Point& e, const Keep& keep) const {
   const Point& n = plane.direction;
@@ -122,7 +122,7 @@ void Arrangement::extremes_on(const Surface& plane, const Surface& round, const 
   const Point& a = round.direction;
   const double tilt = dot(n, a);
   if (std::abs(tilt) < 1e-12) return;
-  // x = at + R m + s a with m at right angles to a: the plane gives s by m, so that e.x is linear in m.
+  // On the tube x = at + R m + s a with m at right angles to a. The plane gives s by m, so e.x is linear in m.
   const Point slope = along(across(e, a), -dot(e, a) / tilt, across(n, a));
   const double size = norm(slope);
   if (size < 1e-12) return;
@@ -175,7 +175,7 @@ std::vector<double> Arrangement::breaks_of_tube(const Surface& tube, const Point
       for (const double t : {begin, end})
         if (const Point x = along(at, t, direction); near(x)) keep(x);
     }
-  // Straight lines of the mantle that touch another curved surface.
+  // Straight lines of the mantle may touch another curved surface.
   for (const Surface& round : rounds_) {
     if (round.kind == Surface::Kind::ball) {
       const Surface around{Surface::Kind::tube, round.at, tube.direction, round.radius, 0};

@@ -23,7 +23,7 @@ namespace perinox::body {
 
 namespace {
 
-/// A rank's particles: those it owns, and its copies of others' within reach.
+/// The particles of one rank: those it owns, and its copies of others' particles within reach.
 struct Share {
   std::vector<Particle> owned, ghosts;
 
@@ -35,7 +35,8 @@ struct Share {
   }
 };
 
-/// Every rank its run of each lattice; a cloud is read by the root alone and spread by the partition.
+/// Makes the particles of all bodies. Every rank makes its run of each lattice. A cloud is read by the root alone and
+/// spread by the partition.
 std::vector<Particle> make_particles(const deck::Deck& deck, const Communicator& communicator) {
   std::vector<Particle> all;
   GlobalId total = 0;
@@ -63,8 +64,8 @@ std::vector<Particle> make_particles(const deck::Deck& deck, const Communicator&
   return all;
 }
 
-/// Two particles in one place have no bond direction. The nearest other one suffices to find them, even where a whole
-/// cloud is one point.
+/// Refuses two particles in one place, because they have no bond direction. It is enough to look at the nearest other
+/// particle, even where a whole cloud is one point.
 void refuse_coincident(const deck::Deck& deck, const Share& share, int dimension, const Communicator& communicator) {
   constexpr double kCoincident = 1e-8;  // of the spacing
   const std::vector<double> points = share.points(dimension);
@@ -90,8 +91,9 @@ void refuse_coincident(const deck::Deck& deck, const Share& share, int dimension
   refuse_first(communicator, first, sentence);
 }
 
-/// Number of particles within reach of each owned one: the work it will cost.
-/// Unweighted first, because neighbours can only be counted where they are at hand; then weighted by the counts.
+/// Distributes the particles over the ranks by the work that each will cost, the number of particles within reach. The
+/// first partition is unweighted, because neighbours can only be counted where they are on the same rank. The second
+/// one is weighted by the counts.
 Share distribute(const deck::Deck& deck, std::vector<Particle> particles, double reach, int dimension,
                  const Communicator& communicator) {
   Share share;
@@ -140,7 +142,7 @@ std::vector<int> material_indices(const deck::Deck& deck) {
   return indices;
 }
 
-/// Of every body's own lattice, 0 for a cloud, whatever spacing its entry gives.
+/// Spacing of every body's own lattice. It is 0 for a cloud, whatever spacing its entry gives.
 std::vector<double> lattice_spacings(const deck::Deck& deck) {
   std::vector<double> spacings;
   for (const deck::BodyPart& part : deck.body)
@@ -148,11 +150,11 @@ std::vector<double> lattice_spacings(const deck::Deck& deck) {
   return spacings;
 }
 
-/// Places that differ by less than this of the spacing, or of the horizon, are taken for one (ties at the horizon,
-/// particles in a crack's plane): coordinates have to tell them apart.
+/// Finest place over the spacing. Places that differ by less than this share of the spacing, or of the horizon, count
+/// as one (ties at the horizon, particles in a crack's plane), so coordinates have to tell them apart.
 constexpr double finest_place = 1e-6;
 
-/// Far from the origin coordinates have no digits left for what is between two particles.
+/// Refuses particles so far from the origin that their coordinates have no digits left for what is between two of them.
 void refuse_far_from_origin(const deck::Deck& deck, const Body& body) {
   std::string sentence;
   GlobalId id = 0;

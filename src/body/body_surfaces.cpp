@@ -10,7 +10,7 @@ namespace perinox::body {
 
 namespace {
 
-/// Outward of the surface itself, whichever side the body is on.
+/// Outward normal of the surface itself, whichever side the body is on.
 Point normal_at(const Surface& surface, const Point& x) {
   if (surface.kind == Surface::Kind::plane) return surface.direction;
   const Point away = minus(x, surface.at);
@@ -70,7 +70,7 @@ BodySurfaces::Exit BodySurfaces::exit(int part, const deck::Point& particle, int
   const double at = own.empty() || own.front().first * length > near ? 0 : own.front().second * length;
   Point x = particle;
   x[a] += side * at;
-  // Of all surfaces that meet there the one that is met most squarely.
+  // Of all surfaces that meet there, take the one that is met most squarely.
   std::vector<Surface> surfaces;
   list_surfaces(mine.solid(), surfaces);
   double most = 1e-6;

@@ -13,16 +13,16 @@ namespace perinox::body {
 
 namespace {
 
-constexpr double at[] = {1.0 / 6, 0.5, 5.0 / 6};  // of a cell's edge: where lines run through it
-constexpr double shortest = 1e-9;                 // of a line: less of it inside is no piece
+constexpr double at[] = {1.0 / 6, 0.5, 5.0 / 6};  // places where lines run through a cell, in edges
+constexpr double shortest = 1e-9;                 // in lengths of the line: a shorter part of it inside is no piece
 
-/// Adds the middles of what of a line is inside.
+/// Adds the middles of those parts of a line that are inside.
 void sample_line(const Solid& solid, const Point& a, const Point& b, std::vector<Point>& samples) {
   for (const auto& [from, to] : intervals_inside(solid, a, b))
     if (to - from > shortest) samples.push_back(along(a, (from + to) / 2, minus(b, a)));
 }
 
-/// Number of the group of each sample: samples that see each other are in one.
+/// Number of each sample's group. Samples that see each other are in one group.
 std::vector<std::size_t> groups_of(const Solid& solid, const std::vector<Point>& samples, double bridged) {
   std::vector<std::size_t> group(samples.size());
   std::iota(group.begin(), group.end(), 0U);
@@ -35,7 +35,7 @@ std::vector<std::size_t> groups_of(const Solid& solid, const std::vector<Point>&
   return group;
 }
 
-/// -1 or 1 where all samples of the group are on one side of the surface, else 0.
+/// -1 or 1 if all samples of the group are on one side of the surface, otherwise 0.
 int side_of(const Surface& surface, const std::vector<Point>& samples, const std::vector<std::size_t>& group,
             std::size_t wanted) {
   int side = 0;
@@ -55,7 +55,7 @@ Solid on_side(Solid solid, Surface surface, int side) {
   return {side < 0 ? Solid::Kind::intersect : Solid::Kind::subtract, {}, {std::move(solid), std::move(leaf)}};
 }
 
-/// The group's part of the solid; none if no surface divides it from one of the other groups.
+/// The group's part of the solid. There is none if no surface divides it from one of the other groups.
 std::optional<Solid> part_of(const Solid& solid, const std::vector<Surface>& surfaces,
                              const std::vector<Point>& samples, const std::vector<std::size_t>& group,
                              const std::vector<std::size_t>& names, std::size_t wanted) {
@@ -76,7 +76,7 @@ std::optional<Solid> part_of(const Solid& solid, const std::vector<Surface>& sur
 
 }  // namespace
 
-// Along every axis, and from corner to corner, so that a sliver at a face is met however thin it is.
+// Lines run along every axis and from corner to corner, so that a sliver at a face is met however thin it is.
 std::vector<Point> samples_in(const Solid& solid, const CellBox& box) {
   const Point side = minus(box.hi, box.lo);
   const std::size_t d = side[2] > 0 ? 3 : 2;

@@ -6,8 +6,9 @@
 
 namespace perinox::body {
 
-/// The particles of a point cloud (CSV: x,y,z,volume) in the order of its rows, ids counted from `first_id`. In 2-D z
-/// must be 0 and volume is area. Does not communicate: one rank reads. Throws InputError with the cloud's line.
+/// Reads the particles of a point cloud (CSV: x,y,z,volume) in the order of its rows, with ids counted from `first_id`.
+/// In 2-D z must be 0 and volume is area. Does not communicate: one rank reads. Throws InputError with the cloud's
+/// line.
 std::vector<Particle> read_cloud(const deck::Deck& deck, int part, GlobalId first_id);
 
 }  // namespace perinox::body

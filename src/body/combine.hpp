@@ -4,8 +4,8 @@
 
 namespace perinox::body {
 
-/// The intervals of a curve inside of a solid, by those inside of its leaves: of_leaf(leaf, removed) -> Intervals;
-/// removed: the leaf is taken away from the solid.
+/// The intervals of a curve inside of a solid, from those inside of its leaves. of_leaf(leaf, removed) returns the
+/// Intervals of one leaf; `removed` is true if the leaf is taken away from the solid.
 template <class OfLeaf>
 Intervals combine(const Solid& solid, const OfLeaf& of_leaf, bool removed = false) {
   if (solid.kind == Solid::Kind::convex) return of_leaf(solid, removed);

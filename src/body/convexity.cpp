@@ -24,7 +24,7 @@ bool meets_box(const Point& min, const Point& max, const Point& center, double r
   return square <= radius * radius;
 }
 
-/// The round hole of a plate, which is as deep as the plate.
+/// True if the ball may reach into the round hole of a plate. The hole is as deep as the plate.
 bool meets_hole(const deck::PlateWithHole& plate, const Point& center, double radius) {
   return std::hypot(center[0] - plate.center[0], center[1] - plate.center[1]) <= plate.radius + radius;
 }

@@ -21,7 +21,7 @@ Point cross(const Point& a, const Point& b) {
 
 double size(const Point& a) { return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]); }
 
-/// The parallelogram that stands on a segment along z, as high as the segment is long, whatever the unit is.
+/// The parallelogram that stands on a segment along z. It is as high as the segment is long, whatever the unit is.
 deck::CrackRectangle standing(const deck::CrackSegment& segment) {
   const double x = segment.end[0] - segment.start[0], y = segment.end[1] - segment.start[1];
   const double high = std::hypot(x, y);
@@ -58,12 +58,12 @@ CrackSurface::CrackSurface(const deck::Crack& crack, double tolerance) : toleran
   extent_ = (std::sqrt(dot(surface.edge1, surface.edge1)) + std::sqrt(dot(surface.edge2, surface.edge2))) / 2;
 }
 
-/// Length: what rounding may have moved a point by, and the surface.
+/// Length by which rounding may have moved a point and the surface.
 double CrackSurface::rounding(const Point& point) const {
   return 4 * std::numeric_limits<double>::epsilon() * (size(point) + size(origin_));
 }
 
-/// Above the plane; 0 in it.
+/// Height of a point above the plane; 0 in it.
 double CrackSurface::height(const Point& point) const {
   const double above = dot(minus(point, origin_), normal_);
   return std::abs(above) <= tolerance_ + rounding(point) ? 0 : above;

@@ -23,7 +23,7 @@ void trim(const char*& begin, const char*& end) {
   while (end > begin && is_blank(end[-1])) --end;
 }
 
-/// What a message shows of a field: short, and printable.
+/// The text of a field as a message shows it: short and printable.
 std::string shown(const char* begin, const char* end) {
   if (begin == end) return "an empty field";
   std::string text(begin, std::min(end, begin + 40));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// a + b cos s + c sin s + d cos 2s + e sin 2s
+/// The function a + b cos s + c sin s + d cos 2s + e sin 2s.
 struct Wave {
   double a, b, c, d = 0, e = 0;
   double operator()(double s) const {
@@ -31,7 +31,7 @@ std::vector<double> zeros_of_first_order(const Wave& wave) {
   return {std::remainder(top - half, 2 * pi), std::remainder(top + half, 2 * pi)};
 }
 
-/// A polynomial of fourth degree in exp(i s), whose zeros on the unit circle are wanted.
+/// The zeros of a wave. It is a polynomial of fourth degree in exp(i s), whose zeros on the unit circle are wanted.
 std::vector<double> zeros(const Wave& wave) {
   using Complex = std::complex<double>;
   const double scale = std::max({std::abs(wave.a), std::abs(wave.b), std::abs(wave.c)});
@@ -53,7 +53,7 @@ std::vector<double> zeros(const Wave& wave) {
   return found;
 }
 
-/// Where the wave is at most 0.
+/// The intervals in which the wave is at most 0.
 Intervals below(const Wave& wave) {
   std::vector<double> ends = zeros(wave);
   ends.push_back(-pi);
@@ -61,7 +61,7 @@ Intervals below(const Wave& wave) {
   std::sort(ends.begin(), ends.end());
   Intervals found;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-    // A zero that is only touched may lie between: where the wave is largest tells its sign.
+    // A zero that is only touched may lie between. The value where the wave is largest tells its sign.
     double value = 0;
     for (const double share : {0.29, 0.5, 0.77}) {
       const double one = wave(ends[k] + share * (ends[k + 1] - ends[k]));

@@ -1,11 +1,11 @@
 #pragma once
-/// Curves that lie in surfaces, and the parts of them inside of other surfaces.
+/// Curves that lie in surfaces, and the parts of them that are inside of other surfaces.
 #include "perinox/body/intervals.hpp"
 #include "perinox/body/solid.hpp"
 
 namespace perinox::body {
 
-/// at + s direction, s from lo to hi; direction: unit.
+/// The straight line at + s direction, s from lo to hi. direction: a unit vector.
 struct Line {
   deck::Point at, direction;
   double lo, hi;
@@ -13,7 +13,7 @@ struct Line {
   Intervals within(const Surface& surface) const;
 };
 
-/// center + radius (cos(s) u + sin(s) v), s from -pi to pi; u, v: unit, at right angles.
+/// The circle center + radius (cos(s) u + sin(s) v), s from -pi to pi. u, v: unit vectors at right angles.
 struct Circle {
   deck::Point center, u, v;
   double radius;

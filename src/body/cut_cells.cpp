@@ -14,10 +14,10 @@
 namespace perinox::body {
 
 namespace {
-/// A particle whose cell the surface leaves next to nothing of still has a volume.
+/// Least volume of a particle over its cell's: it still has one where the surface leaves next to nothing of its cell.
 constexpr double least_volume = 1e-6;
 
-/// Along every axis the shape's bounding box is a whole number of cells.
+/// True if the shape is a box that is a whole number of cells long on every axis.
 bool filled_box(const deck::BodyPart& part, const Lattice& lattice, double tolerance) {
   const auto* box = std::get_if<deck::Box>(&part.shape.form);
   if (!box) return false;
@@ -104,14 +104,14 @@ std::vector<CutCells::Piece> CutCells::divide(const Cell& cell) {
     pieces.back().inside = pieces.back().solid ? share_inside(*pieces.back().solid, here) : inside(cell);
     sum += pieces.back().inside;
   }
-  // What the surfaces do not divide rightly stays together.
+  // What the surfaces do not divide into parts of the right sum stays together.
   constexpr double rounding = 1e-9;
   if (std::abs(sum - inside(cell)) > rounding) {
     pieces.assign(1, {std::nullopt, inside(cell), {}, {}});
     found.assign(1, {});
   }
   const bool own = found.size() == 1 && kept(cell);
-  // Near a convex corner no gap is between anything.
+  // Near a convex corner there is no gap between anything.
   const bool anywhere = own || reduced(solid_, box_around(cell)).kind == Solid::Kind::convex;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     if (found[k].samples.empty() && !anywhere) found[k].samples = samples_in(solid_, here);
@@ -205,7 +205,7 @@ void CutCells::find_far(const Cell& lo, const Cell& hi) {
 
 long long CutCells::farthest() const { return std::max({lattice_.cells[0], lattice_.cells[1], lattice_.cells[2]}) + 1; }
 
-/// By shells of cells around it.
+/// Looks in one shell of cells after the other around the cell.
 std::vector<CutCells::Cell> CutCells::nearest_kept(const Cell& cell, long long shells,
                                                    const std::vector<deck::Point>& samples) const {
   const double bridged = bridged_gap * lattice_.spacing;

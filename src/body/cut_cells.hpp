@@ -15,64 +15,65 @@ struct CellBox {
   deck::Point lo{}, hi{};
 };
 
-/// What a shape's surface leaves of the cells of its lattice. A particle stands for the part of its own cell that is
-/// inside and, in equal shares, for that of the cells without a particle that have none nearer, mostly cells around its
-/// own, in thin fins also cells farther away; it stays at its cell's centre. What a gap divides from a particle, within
-/// a cell or between two, the particle does not stand for (bridged_gap). Volumes of shapes with plane faces are
-/// exact, of curved ones to about 1e-8. Every rank can ask for any cell: nothing depends on where the particles are.
+/// Tells what a shape's surface leaves of the cells of its lattice (docs/theory.md, section 8). A particle stands for
+/// the part of its own cell that is inside. It also stands, in equal shares, for that of cells without a particle that
+/// have none nearer. These are mostly cells around its own, in thin fins also cells farther away. The particle stays at
+/// its cell's centre. It does not stand for what a gap divides from it, within a cell or between two (bridged_gap).
+/// Volumes of shapes with plane faces are exact, those of curved ones to about 1e-8. Every rank can ask for any cell:
+/// nothing depends on where the particles are.
 class CutCells {
  public:
   using Cell = std::array<long long, 3>;  ///< number of spacings from Lattice::first
 
-  /// Throws std::logic_error for a point cloud.
+  /// part: the body in the deck. Throws std::logic_error for a point cloud.
   CutCells(const deck::BodyPart& part, int dimension);
 
-  /// True where all particles stand for whole cells: the deck says so, or the body is a box that its cells fill.
+  /// True if all particles stand for whole cells, because the deck says so or the body is a box that its cells fill.
   bool none() const { return !cut_ || filled_; }
-  /// True where the surface of what the particles stand for is the shape's own.
+  /// True if the surface of what the particles stand for is the shape's own.
   bool exact() const { return cut_ || filled_; }
   double spacing() const { return lattice_.spacing; }
-  /// Length: places as near to each other as this are one. 1e-9 of the spacing and the rounding of the coordinates.
+  /// Distance within which places count as one, length: 1e-9 of the spacing and the rounding of the coordinates.
   double tolerance() const { return tolerance_; }
   const Solid& solid() const { return solid_; }
   Cell cell_of(const deck::Point& position) const;
   CellBox box(const Cell& cell) const;
-  /// The cell has a particle: its centre is inside the shape.
+  /// True if the cell has a particle, which it has if its centre is inside the shape.
   bool kept(const Cell& cell) const;
-  /// The cell and all around it are inside.
+  /// True if the cell and all cells around it are inside.
   bool deep(const Cell& cell) const;
-  /// What is inside of the cell, 0 to 1.
+  /// Share of the cell that is inside, 0 to 1.
   double inside(const Cell& cell);
-  /// Of the cell's particle, over a whole cell's volume: 1 inside.
+  /// Volume of the cell's particle over that of a whole cell. It is 1 inside of the shape.
   double volume(const Cell& cell);
-  /// What is in a cell, in the pieces that gaps divide it into.
+  /// One of the pieces into which gaps divide what is in a cell.
   struct Piece {
     std::optional<Solid> solid{};                   ///< the piece's part of the shape; none: all that is in the cell
-    double inside = 0;                              ///< over a whole cell's volume
+    double inside = 0;                              ///< volume over a whole cell's
     std::vector<std::pair<Cell, double>> owners{};  ///< cells of the particles that stand for it, and their shares
-    std::vector<deck::Point> samples{};             ///< points of a piece that no particle around is joined to
+    std::vector<deck::Point> samples{};             ///< points of the piece, if no particle around is joined to it
   };
-  /// What the cell's particle stands for: visit(cell, piece, share).
+  /// Calls visit(cell, piece, share) for every piece for which the cell's particle stands.
   template <class Visit>
   void visit_owned(const Cell& own, const Visit& visit);
 
  private:
-  /// Different for cells less than 2^20 apart.
+  /// A hash key. It differs for cells less than 2^20 apart.
   static std::uint64_t key(const Cell& cell);
-  /// visit(cell, square of the distance in spacings) for the 26 cells (2-D: 8) around one.
+  /// Calls visit(cell, square of the distance in spacings) for the 26 cells (2-D: 8) around one.
   template <class Visit>
   void around(const Cell& cell, const Visit& visit) const;
   deck::Point center(const Cell& cell) const;
-  /// The cell and those around it.
+  /// The box of the cell and those around it.
   CellBox box_around(const Cell& cell) const;
   std::vector<Piece>& pieces_of(const Cell& cell);
   std::vector<Piece> divide(const Cell& cell);
   /// Cells with particles that stand for a piece of a cell: its own, or the nearest of those around it that no gap
-  /// divides from the piece. samples: of the piece; none: all of them are joined to it.
+  /// divides from the piece. samples: points of the piece; none: all particles are joined to it.
   std::vector<std::pair<Cell, double>> owners(const Cell& cell, const std::vector<deck::Point>& samples) const;
-  /// Nothing of the shape is in the cell or touches it.
+  /// True if nothing of the shape is in the cell or touches it.
   bool empty(const Cell& cell) const;
-  /// A piece of a cell with no particle around that another particle stands for.
+  /// A piece of a cell with no particle around it, for which a particle farther away stands.
   struct Far {
     Cell cell;
     std::size_t piece;
@@ -80,7 +81,8 @@ class CutCells {
   };
   void find_far();
   void find_far(const Cell& lo, const Cell& hi);
-  /// samples: of what the cells' particles have to be joined to; none: to nothing.
+  /// The nearest cells with particles, in the given number of shells around a cell. samples: points to which the cells'
+  /// particles have to be joined; none: they need not be.
   std::vector<Cell> nearest_kept(const Cell& cell, long long shells, const std::vector<deck::Point>& samples) const;
   long long farthest() const;
 
@@ -111,7 +113,7 @@ void CutCells::visit_owned(const Cell& own, const Visit& visit) {
       for (const auto& [owner, share] : piece.owners)
         if (owner == own) visit(cell, piece, share);
   };
-  find_far();  // what has no owner around gets its owners there
+  find_far();  // pieces that have no owner around get their owners there
   visit_cell(own, 0);
   around(own, visit_cell);
   const auto found = far_.find(key(own));

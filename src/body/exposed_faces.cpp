@@ -22,7 +22,7 @@ constexpr int most_layers = 3;
 constexpr double row_share[most_layers + 1][most_layers] = {{}, {1}, {1.5, -0.5}, {13.0 / 12, 4.0 / 12, -5.0 / 12}};
 constexpr double right_angle = 1e-9;  // cosine: a face at right angles to `facing` does not look along it
 
-/// What the set's particles have of the surface: faces of whole cells, and all other pieces.
+/// Collects the part of the surface that belongs to the set's particles: faces of whole cells and all other pieces.
 class Exposed {
  public:
   Exposed(const deck::Deck& deck, const Body& body, const std::optional<Point>& facing)
@@ -38,7 +38,7 @@ class Exposed {
   void take(LocalIndex i);
   /// All shares of owned particles. Collective.
   std::vector<FaceShare> shares();
-  /// Surface has been found that another body touches; that looks another way than `facing`.
+  /// True if surface was found that another body touches (touched), or that looks another way than `facing` (turned).
   bool touched() const { return touched_; }
   bool turned() const { return turned_; }
 
@@ -60,8 +60,9 @@ class Exposed {
   BodySurfaces surfaces_;
   NeighborSearch search_;
   std::size_t sides_;
-  std::vector<double> layers_;  ///< [local][sides] how many particles share a face; 0: it is none
-  std::vector<double> seen_;    ///< [local][sides] what tractions act on, over the face's area
+  /// [local][sides] number of particles that share a face; 0: it is no face of the surface.
+  std::vector<double> layers_;
+  std::vector<double> seen_;  ///< [local][sides] area for tractions over the face's area
   std::vector<FaceShare> shares_;
   bool touched_ = false, turned_ = false;
 };
@@ -80,7 +81,7 @@ LocalIndex Exposed::behind(LocalIndex i, int axis, int steps) const {
   return part(j) == part(i) || deck_.bond_bodies ? j : -1;
 }
 
-/// The face of i's cell that the facet lies in; sides_: none.
+/// The face of i's cell in which the facet lies; sides_ if there is none.
 std::size_t Exposed::face_of(const Facet& facet, LocalIndex i) {
   if (facet.surface.kind != Surface::Kind::plane) return sides_;
   const double tolerance = 2 * surfaces_.cells(part(i)).tolerance();
@@ -106,7 +107,7 @@ void Exposed::add_row(LocalIndex i, std::size_t face, const Point& normal) {
     if (next < 0 || !surfaces_.joined(part(i), body_.position3(i), part(next), body_.position3(next))) break;
     ++count;
   }
-  // On a surface that is made of steps a face stands for as much of the true one as is seen along its axis.
+  // On a surface made of steps a face stands for as much of the true surface as is seen along its axis.
   const Point& seen = facing_ ? *facing_ : normal;
   const std::size_t at = static_cast<std::size_t>(i) * sides_ + face;
   layers_[at] = count;
@@ -121,7 +122,7 @@ void Exposed::spread(const Facet& facet, const CutCells::Cell& cell, double weig
   const deck::BodyPart& own = deck_.body[static_cast<std::size_t>(part(i))];
   const double reach = (farthest_carrier + 2) * spacing(i);
   const bool open = !body::convex_within(own.shape, body_.position3(i), reach, body_.dimension);
-  // What is across a gap or a crack carries none of the load.
+  // Particles across a gap or a crack carry none of the load.
   const auto carries = [&](const Point& from, LocalIndex j) {
     const Point to = body_.position3(j);
     return !(open && length_outside(cells.solid(), from, to) > bridged_gap * cells.spacing()) &&
@@ -184,7 +185,8 @@ void Exposed::take(LocalIndex i) {
   for (const Facet& facet : of_face[sides_]) spread(facet, own, 1, i);
 }
 
-/// A gap narrower than a cell is between the particle and the one of the next cell, which may be another rank's.
+/// True if a gap narrower than a cell is between the particle and the one of the next cell, which may be another
+/// rank's.
 bool Exposed::gap_to(const CutCells::Cell& next, LocalIndex i) {
   const CellBox box = surfaces_.cells(part(i)).box(next);
   const Point at = times(0.5, plus(box.lo, box.hi));

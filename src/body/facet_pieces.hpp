@@ -9,7 +9,8 @@
 
 namespace perinox::body {
 
-/// 1: one surface within the tolerance, near the cell's middle; -1: the same with the other side inside; 0: two.
+/// Compares two surfaces within the tolerance near the cell's middle: 1 if they are one; -1 if they are one with the
+/// other side inside; 0 if they are two.
 inline int same(const Surface& a, const Surface& b, const Point& middle, double tolerance) {
   constexpr double turned = 1e-9;
   if (a.kind != b.kind || std::abs(a.radius - b.radius) > tolerance) return 0;
@@ -25,7 +26,7 @@ inline int same(const Surface& a, const Surface& b, const Point& middle, double 
   return dot(a.direction, b.direction) > 0 ? 1 : -1;
 }
 
-/// One surface of one leaf, and what it needs to know of all the others.
+/// One surface of one leaf, with what it needs to know of all the others.
 class FacetPieces {
  public:
   FacetPieces(const Solid& here, const std::vector<const Solid*>& leaves, std::size_t leaf, const Surface& on,
@@ -50,7 +51,8 @@ class FacetPieces {
 
   bool shut() const { return shut_[0] && shut_[1]; }
 
-  /// of(side, intervals on the curve, open: not only boundary but without what others touch)
+  /// Calls of(side, intervals on the curve, open) for the pieces of a curve. `open` is false for the boundary of the
+  /// solid, and true for what of it no other solid touches.
   template <class Curve, class Of>
   void pieces(const Curve& curve, const Of& of) const {
     Intervals mine = curve.whole();
@@ -77,7 +79,7 @@ class FacetPieces {
   bool shares_surface(const Solid& leaf) const {
     return std::any_of(leaf.surfaces.begin(), leaf.surfaces.end(), [&](const Surface& one) { return same_as(one); });
   }
-  /// Where the leaf's own face on this surface is.
+  /// The part of the curve on which the leaf's own face on this surface lies.
   template <class Curve>
   Intervals face_of(const Solid& leaf, const Curve& curve) const {
     Intervals left = curve.whole();
@@ -85,7 +87,7 @@ class FacetPieces {
       if (!left.empty() && same_as(one) == 0) left = intersect(left, curve.within(one));
     return left;
   }
-  /// Where the solid is right beside the curve, on the inner or the outer side of the surface.
+  /// The part of the curve where the solid is right beside it, on the inner or the outer side of the surface.
   template <class Curve>
   Intervals beside(const Solid& solid, const Curve& curve, bool inner) const {
     return combine(solid, [&](const Solid& leaf, bool) -> Intervals {

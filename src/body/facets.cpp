@@ -20,7 +20,7 @@ void list_leaves(const Solid& solid, std::vector<const Solid*>& leaves) {
   for (const Solid& part : solid.parts) list_leaves(part, leaves);
 }
 
-/// A unit vector at right angles to n: along an axis where n is.
+/// A unit vector at right angles to n. It is along an axis where n is.
 Point beside(const Point& n) {
   std::size_t least = 0;
   for (std::size_t c = 1; c < 3; ++c)
@@ -30,7 +30,7 @@ Point beside(const Point& n) {
   return unit(across(axis, n));
 }
 
-/// Facets of one surface, whose body is inside of it and outside.
+/// The facets of one surface with the body on its inside and on its outside.
 struct BothSides {
   Facet facet[2];
   Facet& of(int side) { return facet[side > 0 ? 0 : 1]; }
@@ -50,7 +50,7 @@ struct BothSides {
   }
 };
 
-/// Integrals over one surface of one leaf; all positions from the middle of the cell.
+/// Computes the integrals over one surface of one leaf. All positions count from the middle of the cell.
 class FacetIntegrals {
  public:
   FacetIntegrals(const FacetPieces& pieces, const Arrangement& arrangement, const Surface& on, const FacetQuery& query)
@@ -77,7 +77,7 @@ class FacetIntegrals {
   Point foot() const { return times(-distance(on_, {}), on_.direction); }
   void add_straight(const Point& direction, const Point& at, double width, const Point& n, BothSides& sum) const;
   void add_circle(double height, double width, BothSides& sum) const;
-  double tolerance() const { return 1e-10 * reach_ * reach_; }  ///< of a half: what is kept is far better
+  double tolerance() const { return 1e-10 * reach_ * reach_; }  ///< of a half; what is kept is far better
   void plane();
   void tube();
   void ball();
@@ -90,7 +90,7 @@ class FacetIntegrals {
   BothSides sum_;
 };
 
-/// The piece of a straight line near the cell; n: the surface's normal there.
+/// Adds the piece of a straight line near the cell. n: the surface's normal there.
 void FacetIntegrals::add_straight(const Point& direction, const Point& at, double width, const Point& n,
                                   BothSides& sum) const {
   const Line line{at, direction, -reach_, reach_};
@@ -102,7 +102,7 @@ void FacetIntegrals::add_straight(const Point& direction, const Point& at, doubl
   });
 }
 
-/// The circle of a ball at a height over its centre along z.
+/// Adds the circle of a ball at a height over its centre along z.
 void FacetIntegrals::add_circle(double height, double width, BothSides& sum) const {
   const double radius = std::sqrt((on_.radius - height) * (on_.radius + height));
   const Circle circle{along(on_.at, height, {0, 0, 1}), {1, 0, 0}, {0, 1, 0}, radius};
@@ -167,7 +167,7 @@ std::vector<Facet> facets_in(const Solid& solid, const FacetQuery& query) {
     around.hi[c] += grown * query.tolerance;
   }
   if (where(solid, around) != Where::cut) return {};
-  // From the middle of the cell nothing is lost to the rounding of large coordinates.
+  // With positions from the middle of the cell nothing is lost to the rounding of large coordinates.
   const Point middle = times(0.5, plus(query.box.lo, query.box.hi));
   FacetQuery local = query;
   local.box = {minus(query.box.lo, middle), minus(query.box.hi, middle)};

@@ -1,5 +1,5 @@
 #pragma once
-/// The boundary of a solid within a cell, piece by piece of the surfaces that it is made of.
+/// The boundary of a solid within a cell, piece by piece of the surfaces of which it is made.
 #include <optional>
 #include <vector>
 
@@ -10,22 +10,22 @@ namespace perinox::body {
 
 struct Facet {
   Surface surface{};
-  int side = 1;              ///< -1: the body is where the surface's outside is
-  SurfaceIntegrals whole{};  ///< of the boundary of the solid
-  double untouched = 0;      ///< area of what of it no other solid touches
-  SurfaceIntegrals open{};   ///< of what of that looks along `facing`
+  int side = 1;              ///< -1: the body is on the surface's outside
+  SurfaceIntegrals whole{};  ///< integrals over the boundary of the solid
+  double untouched = 0;      ///< area of the part that no other solid touches
+  SurfaceIntegrals open{};   ///< integrals over what of that part looks along `facing`
 };
 
 struct FacetQuery {
   CellBox box;
   double tolerance;  ///< length: surfaces as near to each other as this are one
-  /// Solids that belong to the body's neighbours: where one begins right outside of a facet there is no surface.
+  /// Solids that belong to the body's neighbours. Where one begins right outside of a facet there is no surface.
   std::vector<const Solid*> others{};
   std::optional<deck::Point> facing{};  ///< unit
 };
 
-/// Every piece of the solid's boundary belongs to one cell of a lattice: to the one of the body's side where it lies in
-/// the cells' common face. 2-D: of planes and balls.
+/// Finds the facets in one cell. Every piece of the solid's boundary belongs to one cell of a lattice; where it lies in
+/// the common face of two cells it belongs to the one on the body's side. In 2-D facets are of planes and balls.
 std::vector<Facet> facets_in(const Solid& solid, const FacetQuery& query);
 
 }  // namespace perinox::body

@@ -18,7 +18,8 @@ namespace {
 constexpr double kSamePlace = 1e-6;  ///< of the spacing: a row this near to a particle is its row
 constexpr double kSameTime = 1e-9;   ///< of the largest time: such rows belong to one time
 
-/// The distinct times of the table in ascending order, and the time of every row. Without t: one time.
+/// The distinct times of the table in ascending order, and the time of every row. Without the column t there is one
+/// time.
 struct Times {
   std::vector<double> distinct;
   std::vector<std::size_t> of_row;  ///< [rows]
@@ -61,7 +62,7 @@ void refuse_third_component(const CsvTable& table) {
   }
 }
 
-/// The owned particle of every row, -1 where it is another rank's. Refuses a row that is no particle's on any rank.
+/// The owned particle of every row, -1 if it is another rank's. Refuses a row that belongs to no particle on any rank.
 std::vector<LocalIndex> particles_of_rows(const CsvTable& table, const Body& body) {
   const std::vector<double> owned(body.reference.begin(), body.reference.begin() + body.owned * body.dimension);
   const NeighborSearch search(owned, body.dimension);
@@ -76,7 +77,7 @@ std::vector<LocalIndex> particles_of_rows(const CsvTable& table, const Body& bod
     matched[row] = i >= 0 && distance <= kSamePlace * edge_of(body.volume[i], body.dimension);
     particle[row] = matched[row] ? i : -1;
   }
-  // In pieces, because MPI counts in int.
+  // The sum is taken in pieces, because MPI counts in int.
   constexpr std::size_t kPiece = 1 << 26;
   for (std::size_t start = 0; start < matched.size(); start += kPiece) {
     MPI_Allreduce(MPI_IN_PLACE, matched.data() + start, static_cast<int>(std::min(kPiece, matched.size() - start)),
@@ -93,7 +94,8 @@ std::vector<LocalIndex> particles_of_rows(const CsvTable& table, const Body& bod
   return particle;
 }
 
-/// [times * owned] row + 1 of each owned particle at each time, 0: none. Refuses a second row for the same.
+/// [times * owned] row + 1 of each owned particle at each time; 0: none. Refuses a second row for the same particle and
+/// time.
 std::vector<std::size_t> rows_of_particles(const CsvTable& table, const Times& times,
                                            const std::vector<LocalIndex>& particle, const Body& body) {
   const auto owned = static_cast<std::size_t>(body.owned);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTie = 1e-10;  ///< as in NeighborSearch: a particle at exactly the reach is within it
 
-/// min x, y, z, max x, y, z of every rank's particles; of an empty rank: nothing is inside.
+/// Bounding boxes (min x, y, z, max x, y, z) of every rank's particles. Nothing is inside the box of an empty rank.
 std::vector<std::array<double, 6>> bounding_boxes(const std::vector<Particle>& owned, double reach,
                                                   const Communicator& communicator) {
   constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -6,9 +6,9 @@
 
 namespace perinox::body {
 
-/// Copies of the other ranks' particles that are within `reach` of one of `owned`, in ascending id. Every rank sends
-/// each other rank what lies in its bounding box widened by `reach`; the receiver keeps what is truly within reach.
-/// Collective.
+/// Finds the ghosts: copies of the other ranks' particles that are within `reach` of one of `owned`, in ascending id.
+/// Every rank sends each other rank what lies in its bounding box widened by `reach`; the receiver keeps what is truly
+/// within reach. Collective.
 std::vector<Particle> find_ghosts(const std::vector<Particle>& owned, double reach, int dimension,
                                   const Communicator& communicator);
 

@@ -23,7 +23,7 @@ std::vector<int> owners_of(const Communicator& communicator, const std::vector<G
   return owners;
 }
 
-/// One side of the exchange: which local particles go with each rank, and room for their values.
+/// One side of the exchange: the local particles that go with each rank, and room for their values.
 struct Side {
   std::vector<int> ranks;
   std::vector<std::size_t> begin{0};  ///< [ranks + 1] into index
@@ -48,7 +48,7 @@ struct Halo::Plan {
   Side ghosts;  ///< this rank's ghosts
   std::vector<MPI_Request> updating, adding;
 
-  /// Starts sending `from` and receiving into `to`.
+  /// Starts to send `from` and to receive into `to`.
   void begin(Side& from, Side& to, std::size_t components, int tag, std::vector<MPI_Request>& requests) const {
     to.buffer.resize(to.index.size() * components);
     requests.clear();
@@ -78,7 +78,7 @@ Halo::Halo(const Communicator& communicator, const std::vector<GlobalId>& ids, i
   plan_->communicator = communicator;
   plan_->comm = communicator.mpi();
 
-  // Ghosts by owner, then every owner is told which of its particles are wanted.
+  // Ghosts are sorted by owner, then every owner is told which of its particles are wanted.
   Side& ghosts = plan_->ghosts;
   ghosts.index.resize(static_cast<std::size_t>(ghosts_));
   std::iota(ghosts.index.begin(), ghosts.index.end(), owned);
@@ -115,7 +115,7 @@ Halo::Halo(const Communicator& communicator, const std::vector<GlobalId>& ids, i
   }
 }
 
-// The clock runs while messages are waited for: an exchange counts once, at its end.
+// The clock also runs while a rank waits for messages. An exchange counts once, at its end.
 void Halo::begin_update(const double* values, int components) const {
   if (!plan_) return;
   const auto width = static_cast<std::size_t>(components);

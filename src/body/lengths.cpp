@@ -9,7 +9,7 @@
 namespace perinox::body {
 
 namespace {
-/// Lengths of the deck that are the same but for their rounding fit.
+/// Lengths of the deck that are equal up to their rounding fit.
 constexpr double slack = 1e-9;
 /// A body of one particle may be somewhat smaller than its cell.
 constexpr double most_over_body = 1.5;

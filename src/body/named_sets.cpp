@@ -28,7 +28,7 @@ struct Find {
   const Body& body;
   const deck::Set& set;
 
-  /// Length, at the bounds of conditions and boxes: 1e-9 of the particle's spacing, and the rounding of its
+  /// Slack at the bounds of conditions and boxes, length: 1e-9 of the particle's spacing, and the rounding of its
   /// coordinates.
   double slack_of(LocalIndex i) const { return 1e-9 * body.spacing_of(i) + 2 * body.rounding(i); }
   template <class Condition>
@@ -85,7 +85,7 @@ struct Find {
   }
 };
 
-/// "from (0.5, 0.5) to (3.5, 1.5)": the box around the particles of all ranks. Collective.
+/// The box around the particles of all ranks in words: "from (0.5, 0.5) to (3.5, 1.5)". Collective.
 std::string place_of_particles(const Body& body) {
   std::vector<std::string> lows, highs;
   for (int axis = 0; axis < body.dimension; ++axis) {

@@ -9,7 +9,7 @@ namespace perinox::body {
 
 namespace {
 
-/// Points sorted into equal cells; cells grow where the points lie far apart, so that there are not more of them than
+/// Points sorted into equal cells. Cells grow where the points lie far apart, so that there are not more cells than
 /// points.
 struct Cells {
   std::array<double, 3> low{}, size{1, 1, 1};
@@ -74,7 +74,7 @@ std::vector<double> count_within(const std::vector<double>& points, int dimensio
     std::int64_t count = -1;
     for (std::int64_t cz = first[2]; cz <= last[2]; ++cz)
       for (std::int64_t cy = first[1]; cy <= last[1]; ++cy) {
-        // Neighbouring cells of a row lie one after the other.
+        // Neighbouring cells of a row lie one after the other in memory.
         const std::int64_t begin = cells.begin[cells.number({first[0], cy, cz})];
         const std::int64_t end = cells.begin[cells.number({last[0], cy, cz}) + 1];
         for (std::int64_t k = begin; k < end; ++k) {

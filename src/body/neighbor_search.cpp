@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTie = 1e-10;  ///< a point this much (relative) beyond the radius is still at the radius
 
-/// The points as nanoflann wants to see them.
+/// The points in the form that nanoflann expects.
 template <int Dimension>
 struct Points {
   const std::vector<double>& values;
@@ -33,7 +33,7 @@ struct DimensionTree {
       : points{values}, index(Dimension, points, nanoflann::KDTreeSingleIndexAdaptorParams(16)) {}
 };
 
-/// Collects indices only: nanoflann's own radius set keeps distances that nobody needs here.
+/// Collects indices only. nanoflann's own radius set also keeps distances, which nobody needs here.
 struct Within {
   double squared;
   std::vector<LocalIndex>& found;
@@ -46,7 +46,7 @@ struct Within {
   }
 };
 
-/// The nearest, leaving one out.
+/// Finds the nearest point, leaving one out.
 struct Nearest {
   LocalIndex except;
   double squared = std::numeric_limits<double>::max();

@@ -17,10 +17,10 @@ namespace {
 
 using deck::Point;
 
-constexpr double thinnest = 1e-3;  // of the spacing: less is the rounding of shapes that touch
+constexpr double thinnest = 1e-3;  // of the spacing: thinner overlaps are the rounding of shapes that touch
 constexpr double most_lines = 4e6;
 
-/// The shape that a body's entry writes; null: a cloud without an outline.
+/// The shape that a body's entry writes; null for a cloud without an outline.
 const deck::Shape* written(const deck::BodyPart& part) {
   if (part.as_written) return &*part.as_written;
   if (!std::holds_alternative<deck::CloudFile>(part.shape.form)) return &part.shape;
@@ -35,9 +35,9 @@ struct Lines {
   int dimension;
 
   struct Sum {
-    double length = 0;   ///< inside of both, over all lines
-    double hits = 0;     ///< lines with some of it
-    double section = 0;  ///< area a line stands for
+    double length = 0;   ///< length inside of both, over all lines
+    double hits = 0;     ///< number of lines with some of it
+    double section = 0;  ///< area for which a line stands
     std::optional<Point> at{};
   };
   Sum along(int axis, double step) const {
@@ -100,7 +100,7 @@ std::optional<Overlap> overlap_of(const deck::Deck& deck, std::size_t earlier, s
   double spacing = 0;
   for (const std::size_t part : {earlier, later})
     if (const double h = deck.body[part].spacing; h > 0) spacing = spacing > 0 ? std::min(spacing, h) : h;
-  // Two clouds without spacings: fine enough for what their outlines have in common.
+  // Two clouds without spacings: this is fine enough for what their outlines have in common.
   if (!(spacing > 0)) spacing = edge_of(measure, d) / 50;
   double step = spacing / 2;
   for (int axis = 0; axis < d; ++axis) {

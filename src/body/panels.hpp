@@ -31,11 +31,11 @@ struct Gauss {
   }
 };
 
-/// What is integrated between breaks: a polynomial of at most third degree; a smooth function with square roots of the
-/// distance to the breaks; or one with breaks that are not known besides.
+/// The kind of function that is integrated between breaks: a polynomial of at most third degree; a smooth function with
+/// square roots of the distance to the breaks; or one that also has breaks that are not known.
 enum class Form { polynomial, root, rough };
 
-/// Calls point(x, weight) for the points of a quadrature over [from, to], none of them an end.
+/// Calls point(x, weight) for the points of a quadrature over [from, to]. None of them is an end.
 template <int count, class AtPoint>
 void over_panel(double from, double to, Form form, const AtPoint& point) {
   static const Gauss<count> gauss;
@@ -45,7 +45,7 @@ void over_panel(double from, double to, Form form, const AtPoint& point) {
     for (std::size_t k = 0; k < 2; ++k) point(middle + half * two.point[k], half * two.weight[k]);
     return;
   }
-  // x = middle + half sin(angle) makes roots of the distance to either end smooth.
+  // The substitution x = middle + half sin(angle) makes roots of the distance to either end smooth.
   for (std::size_t k = 0; k < count; ++k) {
     const double angle = M_PI / 2 * gauss.point[k];
     point(middle + half * std::sin(angle), half * M_PI / 2 * gauss.weight[k] * std::cos(angle));
@@ -78,7 +78,7 @@ void over_panels(std::vector<double>& breaks, double lo, double hi, Form form, c
 }
 
 /// Adds to `sum` what point(x, weight, sum) adds over [lo, hi], in panels that are halved until both halves agree with
-/// the whole within the tolerance. Sum: with += and difference(Sum).
+/// the whole within the tolerance. Sum must have += and difference(Sum).
 template <int count, class Sum, class AtPoint>
 void add_panels(std::vector<double>& breaks, double lo, double hi, Form form, double tolerance, Sum& sum,
                 const AtPoint& point) {

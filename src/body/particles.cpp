@@ -22,7 +22,7 @@ std::vector<Particle> exchange(const std::vector<Particle>& particles, const std
   std::exclusive_scan(receive_counts.begin(), receive_counts.end(), receive_starts.begin(), 0);
   std::vector<Particle> incoming(static_cast<std::size_t>(receive_starts.back() + receive_counts.back()));
 
-  // A type of its own keeps MPI's counts in particles: bytes would pass 2^31 at some 45 million particles.
+  // An MPI type of its own keeps the counts in particles. Counts in bytes would pass 2^31 at some 45 million particles.
   MPI_Datatype type;
   MPI_Type_contiguous(static_cast<int>(sizeof(Particle)), MPI_BYTE, &type);
   MPI_Type_commit(&type);

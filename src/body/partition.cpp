@@ -13,7 +13,7 @@ namespace {
 using Types = Zoltan2::BasicUserTypes<double, int, GlobalId>;
 using Adapter = Zoltan2::BasicVectorAdapter<Types>;
 
-/// Fewer particles than parts, or as many: one each, and the parts beyond stay empty.
+/// If there are no more particles than parts, each particle gets a part of its own and the parts beyond stay empty.
 std::vector<int> one_each(const std::vector<Particle>& particles) {
   std::vector<int> destination;
   for (const Particle& particle : particles) destination.push_back(static_cast<int>(particle.id));
@@ -38,7 +38,7 @@ std::vector<int> partition(const std::vector<Particle>& particles, const std::ve
   if (communicator.sum(static_cast<long long>(count)) <= parts) return one_each(particles);
   const bool weighted = communicator.any(!weights.empty());
 
-  // Zoltan2 wants addresses even where a rank has nothing to show: one unused entry keeps them valid.
+  // Zoltan2 needs valid addresses even where a rank has nothing to show. One unused entry keeps them valid.
   std::vector<GlobalId> ids(count + 1);
   std::vector<std::vector<double>> columns(static_cast<std::size_t>(dimension), std::vector<double>(count + 1));
   for (std::size_t i = 0; i < count; ++i) {
@@ -46,7 +46,7 @@ std::vector<int> partition(const std::vector<Particle>& particles, const std::ve
     for (std::size_t axis = 0; axis < columns.size(); ++axis) columns[axis][i] = particles[i].position[axis];
   }
   std::vector<const double*> column_starts;
-  // A cube is cut across its last axis: what is left keeps whole rows along x, in the order of the particles.
+  // A cube is cut across its last axis, so that what is left keeps whole rows along x, in the order of the particles.
   for (auto column = columns.rbegin(); column != columns.rend(); ++column) column_starts.push_back(column->data());
   std::vector<double> padded = weights;
   padded.resize(count + 1);

@@ -10,7 +10,7 @@ namespace perinox::body {
 
 namespace {
 
-/// A disc of radius r across the unit direction n reaches r sqrt(1 - n_k^2) along axis k.
+/// Bounding box of a cylinder. A disc of radius r across the unit direction n reaches r sqrt(1 - n_k^2) along axis k.
 Bounds cylinder_bounds(const deck::Cylinder& cylinder) {
   const Point axis = minus(cylinder.end, cylinder.start);
   const double squared = dot(axis, axis);

@@ -14,7 +14,8 @@ using Interval = std::pair<double, double>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Interval all{-infinity, infinity}, none{infinity, -infinity};
 
-/// a: of the line's first point from the centre, or from the axis and at right angles to it, as the direction is.
+/// The interval of a line inside of a ball or tube. a: the line's first point from the centre, or from the axis and at
+/// right angles to it. The direction is as for a.
 Interval inside_round(const Point& a, const Point& direction, double radius) {
   if (radius < 0) return none;
   const double square = dot(direction, direction);
@@ -32,7 +33,7 @@ Interval interval_inside(const Surface& surface, const Point& a, const Point& di
   const Point away = minus(a, surface.at);
   if (surface.kind == Surface::Kind::ball) return inside_round(away, direction, surface.radius + slack);
   if (surface.kind == Surface::Kind::tube) {
-    // A direction along the axis is across it by rounding only.
+    // A direction along the axis has a part across it by rounding only.
     Point turned = across(direction, surface.direction);
     if (dot(turned, turned) < 1e-30 * dot(direction, direction)) turned = {};
     return inside_round(across(away, surface.direction), turned, surface.radius + slack);

@@ -16,20 +16,20 @@ namespace {
 
 std::string gigabytes(double bytes) { return fmt::format("{:.3g} GB", bytes / 1e9); }
 
-/// Neighbours that fill the ball (2-D: the disc) around a particle.
+/// Number of neighbours that fill the ball (2-D: the disc) around a particle.
 double family_of(double reach, double volume, int dimension) {
   constexpr double pi = 3.14159265358979323846;
   return (dimension == 3 ? 4 * pi / 3 * reach * reach * reach : pi * reach * reach) / volume;
 }
 
-/// One lattice for all: the bonds are a stencil then, and no list.
+/// True if all bodies lie on lattices of one spacing. The bonds are then a stencil and no list.
 bool is_one_lattice(const deck::Deck& deck) {
   return std::all_of(deck.body.begin(), deck.body.end(), [&](const deck::BodyPart& part) {
     return !std::holds_alternative<deck::CloudFile>(part.shape.form) && part.spacing == deck.body.front().spacing;
   });
 }
 
-/// Of this machine, or of the container that the program runs in; 0 if the system does not say.
+/// Memory of this machine, or of the container in which the program runs; 0 if the system does not say.
 double local_memory() {
   double bytes = 0;
   std::ifstream system("/proc/meminfo");
@@ -110,7 +110,7 @@ void refuse_too_many_bonds(const deck::Deck& deck, double reach, double particle
   if (memory == 0 || is_one_lattice(deck)) return;
   const double family = std::min(particles, family_of(reach, volume, deck::unknowns(deck.dimension)));
   const double bytes = least_a_particle * particles + least_a_bond * family * particles;
-  // Near surfaces, and where the particles are spread unevenly, families are smaller than this; never by half.
+  // Near surfaces, and where the particles are spread unevenly, families are smaller than this, but never by half.
   if (bytes < 2 * memory) return;
   deck::refuse(deck.horizon.location,
                fmt::format("{:.3g} particles with about {:.2g} neighbours each take about {}, more than the {} of this "

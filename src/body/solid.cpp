@@ -14,7 +14,7 @@ constexpr double touching = 1e-10;  // of a leaf's size
 
 double largest(const Point& a) { return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])}); }
 
-/// What the places of a shape of this size, at coordinates as large as these, are known to.
+/// Length to which the places of a shape of this size, at coordinates as large as these, are known.
 double slack_of(double size, double coordinate) {
   return touching * size + 8 * std::numeric_limits<double>::epsilon() * (coordinate + size);
 }

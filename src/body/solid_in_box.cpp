@@ -25,7 +25,7 @@ std::pair<double, double> distances(const CellBox& box, const Point& center) {
 Where where(const Surface& surface, const CellBox& box) {
   const Point half = times(0.5, minus(box.hi, box.lo)), middle = plus(box.lo, half);
   const double rounding = 1e-12 * std::max({half[0], half[1], half[2]});
-  double least = 0, most = 0;  // distance from the surface with sign, of the box's points
+  double least = 0, most = 0;  // signed distance of the box's points from the surface
   if (surface.kind == Surface::Kind::plane) {
     const double reach = std::abs(half[0] * surface.direction[0]) + std::abs(half[1] * surface.direction[1]) +
                          std::abs(half[2] * surface.direction[2]);

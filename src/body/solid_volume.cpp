@@ -11,7 +11,7 @@ namespace {
 
 constexpr int points = 8;  // of a quadrature between two breaks
 
-/// Of [0, 1] along x through the box, the part inside of a leaf.
+/// The part of [0, 1] along x through the box that is inside of a leaf.
 std::pair<double, double> inside_leaf(const Solid& leaf, const Point& begin, const Point& direction) {
   std::pair<double, double> left{0, 1};
   for (const Surface& surface : leaf.surfaces) {
@@ -38,7 +38,7 @@ double share_of_line(const Solid& solid, const Point& begin, const Point& direct
 double share_inside(const Solid& solid, const CellBox& cell) {
   const Where place = where(solid, cell);
   if (place != Where::cut) return place == Where::inside ? 1 : 0;
-  // From the middle of the cell nothing is lost to the rounding of large coordinates.
+  // With positions from the middle of the cell nothing is lost to the rounding of large coordinates.
   const Point middle = times(0.5, plus(cell.lo, cell.hi));
   const CellBox box{minus(cell.lo, middle), minus(cell.hi, middle)};
   const Solid here = moved(reduced(solid, cell), times(-1, middle));

@@ -11,7 +11,7 @@ namespace perinox::body {
 
 namespace {
 
-// Of the spacing: how deep a surface's load is spread, and how wide.
+// Lengths in spacings that say how deep a surface's load is spread, and how wide.
 constexpr double deepest = 3, highest = 1, width = 0.6;
 
 using Carries = std::function<bool(const Point& from, LocalIndex j)>;
@@ -22,7 +22,7 @@ struct Sent {
   FaceShare share;
 };
 
-/// The particles that carry a facet's load, and how much of it each would rather have.
+/// The particles that carry a facet's load, and each one's preferred part of it.
 struct Carriers {
   std::vector<LocalIndex> particle;
   std::vector<double> preference;
@@ -33,7 +33,7 @@ Carriers carriers_of(const Facet& facet, const Point& center, const Body& body, 
   const double straight = norm(facet.whole.normal);
   // A piece that is bent round onto itself has no direction.
   const Point n = straight > 0.1 * facet.whole.area ? times(1 / straight, facet.whole.normal) : Point{};
-  // Only what is within reach of the particle is known to be on this rank.
+  // Only particles within reach of this one are known to be on this rank.
   const double radius = std::min(farthest_carrier * h, body.reach) * (1 + 1e-9);
   std::vector<LocalIndex> found;
   search.within(body.position(i), radius, found);
@@ -51,13 +51,13 @@ Carriers carriers_of(const Facet& facet, const Point& center, const Body& body, 
     carriers.particle.push_back(i);
     carriers.preference.push_back(0);
   }
-  // A facet may lie far from all of them: what counts is how much nearer one is than another.
+  // A facet may lie far from all of them. What counts is how much nearer one is than another.
   const double least = *std::min_element(carriers.preference.begin(), carriers.preference.end());
   for (double& one : carriers.preference) one = std::exp(least - one);
   return carriers;
 }
 
-/// What the carriers get of integrals of 1 and x (about `center`) so that their sum and first moment are the same.
+/// Shares integrals of 1 and x (about `center`) among the carriers so that their sum and first moment stay the same.
 /// integrals: [1 + dimension][columns].
 Eigen::MatrixXd distribute(const Carriers& carriers, const Point& center, const Body& body, double h,
                            const Eigen::MatrixXd& integrals) {
@@ -77,7 +77,7 @@ Eigen::MatrixXd distribute(const Carriers& carriers, const Point& center, const 
   solver.compute(x.transpose() * w.asDiagonal() * x);
   Eigen::MatrixXd parts = w.asDiagonal() * (Eigen::VectorXd::Constant(count, 1 / w.sum()) * integrals.topRows(1) +
                                             x * solver.solve(moments));
-  // Far from its carriers a load takes large weights, whose rounding goes to the one that is preferred most.
+  // Far from its carriers a load needs large weights. Their rounding goes to the particle that is preferred most.
   Eigen::Index most = 0;
   w.maxCoeff(&most);
   parts.row(most) += integrals.row(0) - parts.colwise().sum();
@@ -118,7 +118,8 @@ void spread_load(const Facet& facet, const Point& middle, double weight, const B
   const Point center = along(middle, 1 / facet.whole.area, facet.whole.first);
   const Carriers carriers = carriers_of(facet, center, body, i, spacing, search, carries);
   const auto d = static_cast<std::size_t>(body.dimension);
-  // Columns: the normal's components, and the area; rows: their integrals and first moments about the facet's centre.
+  // Columns are the normal's components and the area; rows are their integrals and first moments about the facet's
+  // centre.
   Eigen::MatrixXd integrals(static_cast<Eigen::Index>(d) + 1, static_cast<Eigen::Index>(d) + 1);
   const auto about = [&](double first, double sum, std::size_t c) { return first - (center[c] - middle[c]) * sum; };
   for (std::size_t k = 0; k <= d; ++k) {

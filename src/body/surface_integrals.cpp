@@ -9,7 +9,7 @@ namespace perinox::body {
 
 namespace {
 
-/// dA times 1, x, n and x n at x: added.
+/// Adds dA times 1, x, n and x n at x.
 void add(SurfaceIntegrals& sum, double area, const Point& x, const Point& n) {
   sum.area += area;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -37,14 +37,14 @@ double SurfaceIntegrals::difference(const SurfaceIntegrals& other) const {
 }
 
 void add_line(SurfaceIntegrals& sum, const Intervals& pieces, const Line& line, double width, const Point& n) {
-  // x is linear along the line and n does not change, so that the mean x is enough.
+  // x is linear along the line and n does not change, so the mean x is enough.
   for (const auto& [from, to] : pieces)
     add(sum, width * (to - from), along(line.at, (from + to) / 2, line.direction), n);
 }
 
 void add_arc(SurfaceIntegrals& sum, const Intervals& pieces, const Circle& circle, double rise, const Point& e,
              const Surface& ball, int side, double width) {
-  // The normal is rise e + reach (cos s u + sin s v).
+  // The unit normal is rise e + reach (cos s u + sin s v).
   const double reach = circle.radius / ball.radius;
   const Point& center = ball.at;
   for (const auto& [from, to] : pieces) {
@@ -62,7 +62,7 @@ void add_arc(SurfaceIntegrals& sum, const Intervals& pieces, const Circle& circl
       sum.first[a] += width * (center[a] * length + ball.radius * n[a]);
       sum.normal[a] += width * side * n[a];
       for (std::size_t b = 0; b < 3; ++b) {
-        double both = 0;  // of n_a n_b
+        double both = 0;  // integral of n_a n_b
         for (std::size_t i = 0; i < 3; ++i)
           for (std::size_t j = 0; j < 3; ++j) both += second[i][j] * (*frame[i])[a] * (*frame[j])[b];
         sum.moment[a][b] += width * side * (center[a] * n[b] + ball.radius * both);

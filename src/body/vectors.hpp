@@ -21,7 +21,7 @@ inline Point cross(const Point& a, const Point& b) {
 }
 inline double norm(const Point& a) { return std::sqrt(dot(a, a)); }
 inline Point unit(const Point& a) { return times(1 / norm(a), a); }
-/// What of `a` is at right angles to the unit vector `n`.
+/// The part of `a` at right angles to the unit vector `n`.
 inline Point across(const Point& a, const Point& n) { return along(a, -dot(a, n), n); }
 
 }  // namespace perinox::body

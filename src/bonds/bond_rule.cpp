@@ -54,7 +54,7 @@ void BondRule::make_factors() {
   }
 }
 
-/// Between bodies of different lattices the mean of both: a bond weighs the same from either end.
+/// Between bodies of different lattices the factor is the mean of both, so that a bond weighs the same from either end.
 double BondRule::factor(int part, int other, const double* between) const {
   const int one = factor_of_[static_cast<std::size_t>(part)], two = factor_of_[static_cast<std::size_t>(other)];
   const double first = factor_[static_cast<std::size_t>(one)](body_.dimension, between);

@@ -9,7 +9,7 @@ namespace perinox::bonds {
 
 namespace {
 
-/// By a k-d tree.
+/// Finds candidates with a k-d tree.
 class Search : public Candidates {
  public:
   Search(const body::Body& body, const BondRule& rule, double reach)
@@ -34,7 +34,7 @@ class Search : public Candidates {
   std::vector<LocalIndex> near_;
 };
 
-/// On a lattice every particle has the same candidates: the bonds are worked out once.
+/// Finds candidates on a lattice. Every particle has the same ones there, so the bonds are worked out once.
 class Stencil : public Candidates {
  public:
   Stencil(const body::Body& body, const BondRule& rule, double reach, const CellGrid& grid)

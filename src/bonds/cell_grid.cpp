@@ -9,18 +9,20 @@
 namespace perinox::bonds {
 
 namespace {
-constexpr std::int64_t lanes = 8;  // of the widest vectors
-constexpr double emptiest = 16;    // cells a particle
-constexpr double clearly = 0.95;   // other rows than x make reading and writing by particles slower
+constexpr std::int64_t lanes = 8;  // cells that the widest vectors hold
+constexpr double emptiest = 16;    // most cells of the box a particle
+// Rows along another axis than x must be this much better: they make access by particles slower.
+constexpr double clearly = 0.95;
 
-/// Lanes a row of n cells takes, a cell.
+/// Padded cells over cells of a row of n cells.
 double padding(double n) { return std::ceil(n / lanes) * lanes / n; }
 }  // namespace
 
 std::optional<CellGrid> find_grid(const body::Body& body) {
   const int local = body.local();
   if (local == 0) return std::nullopt;
-  // Bodies of one lattice, or of none: what else lies on one grid by chance does not weight its bonds alike.
+  // All bodies have one spacing, or all are clouds. Anything else that lies on one grid by chance weights its bonds
+  // differently.
   if (body.spacing == 0 &&
       std::any_of(body.lattice_spacing.begin(), body.lattice_spacing.end(), [](double spacing) { return spacing > 0; }))
     return std::nullopt;

@@ -7,7 +7,7 @@ namespace perinox::bonds {
 
 namespace {
 
-/// Disjoint sets of local particles; a set is known by its smallest member.
+/// Disjoint sets of local particles. A set is named by its smallest member.
 class Sets {
  public:
   explicit Sets(int size) : parent_(static_cast<std::size_t>(size)) {
@@ -17,9 +17,9 @@ class Sets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// The root of the union; `root` must be one.
+  /// Unites the set of `root`, which must be a root, with the set of j and returns the root of the union.
   LocalIndex unite(LocalIndex root, LocalIndex j) {
-    if (parent_[j] == root) return root;  // nearly always, once a piece has grown
+    if (parent_[j] == root) return root;  // this is so nearly always, once a piece has grown
     const LocalIndex other = find(j);
     const LocalIndex smaller = std::min(root, other);
     parent_[std::max(root, other)] = smaller;
@@ -37,12 +37,12 @@ Sets local_pieces(const body::Body& body, const BondGraph& graph) {
     graph(i, neighbors);
     LocalIndex root = sets.find(i);
     for (const LocalIndex j : neighbors)
-      if (j > i) root = sets.unite(root, j);  // the other half is seen from j; ghosts are above every owned particle
+      if (j > i) root = sets.unite(root, j);  // j sees the other half; ghosts are above every owned particle
   }
   return sets;
 }
 
-/// Smallest id of the whole piece, for every local particle. [owned + ghosts]; ids are exact in a double below 2^53.
+/// Smallest id of the whole piece, for every local particle. [owned + ghosts]; ids below 2^53 are exact in a double.
 std::vector<double> smallest_ids(const body::Body& body, Sets sets) {
   std::vector<double> smallest(static_cast<std::size_t>(body.local())), label(smallest.size());
   for (LocalIndex i = 0; i < body.local(); ++i) smallest[i] = static_cast<double>(body.id[i]);
@@ -55,7 +55,7 @@ std::vector<double> smallest_ids(const body::Body& body, Sets sets) {
   };
   spread();
   if (body.communicator.size() == 1) return label;
-  // Both ranks of a bond between them hold it, so what an owner knows of its piece suffices to tell.
+  // Both ranks hold a bond between them, so what an owner knows of its piece is enough.
   for (bool changed = true; body.communicator.any(changed);) {
     changed = false;
     body.halo.update_ghosts(label.data(), 1);
@@ -70,7 +70,7 @@ std::vector<double> smallest_ids(const body::Body& body, Sets sets) {
   return label;
 }
 
-/// Everybody's values one after another.
+/// The values of all ranks one after another, on every rank.
 std::vector<GlobalId> gather_all(const std::vector<GlobalId>& mine, const Communicator& communicator) {
   std::vector<int> counts, starts;
   int total = 0;

@@ -17,7 +17,7 @@ namespace perinox::bonds {
 
 namespace {
 
-/// Fourth moments of the families, for those that need a fit or a factor.
+/// Collects the fourth moments of the families, for quadratures that need a fit or a factor.
 class Fits {
  public:
   Fits(const deck::Deck& deck, const body::Body& body, Families& families)
@@ -62,7 +62,7 @@ class Fits {
   Families& families_;
 };
 
-/// The first particle without a family cannot carry any force: the system would be singular.
+/// Refuses the body if a particle has no family: it cannot carry any force and the system would be singular.
 void refuse_lonely(const deck::Deck& deck, const body::Body& body, const Families& families) {
   std::string sentence;
   deck::Location where;
@@ -95,7 +95,7 @@ Families find_families(const deck::Deck& deck, const body::Body& body, double ho
   families.horizon = horizon;
   families.influence = deck.influence;
   families.continuum_weighted_volume = continuum_weighted_volume(deck.influence, horizon, body.dimension);
-  // A body made by hand has no reach on record; all its particles are at hand.
+  // A body made by hand has no reach on record. All its particles are on this rank.
   const double within =
       body.reach > 0 ? body.reach : reach(deck, horizon, body::largest_spacing(deck, body.communicator));
   if (within < horizon * (1 - 1e-12)) throw std::logic_error("the body was built with a reach below the horizon");

@@ -15,7 +15,8 @@ namespace perinox::bonds {
 
 namespace {
 
-constexpr double for_rounding = 1e-9;   // of the spacing: a bond that leaves by just that much stays
+// In spacings: a bond that leaves the material by no more than that much stays.
+constexpr double for_rounding = 1e-9;
 constexpr double on_an_outline = 0.01;  // of the horizon: points of a cloud this near to its outline lie on it
 
 bool convex(const deck::Shape& shape) {
@@ -23,14 +24,15 @@ bool convex(const deck::Shape& shape) {
          std::holds_alternative<deck::Cylinder>(shape.form);
 }
 
-/// Every surface counts as touched from that far outside.
+/// The solid with every surface counting as touched from a distance of `by` outside.
 body::Solid grown(body::Solid solid, double by) {
   for (body::Surface& surface : solid.surfaces) surface.slack = std::max(surface.slack, by);
   for (body::Solid& part : solid.parts) part = grown(std::move(part), by);
   return solid;
 }
 
-/// A point beyond its outline would have no bond along it, and lose the others to nothing but the outline.
+/// Refuses points of a cloud outside its outline. Such a point would have no bond along the outline, and it would lose
+/// the others to nothing but the outline.
 void refuse_outside(const deck::Deck& deck, const body::Body& body,
                     const std::vector<std::optional<body::Solid>>& solid) {
   std::string sentence;
@@ -91,7 +93,7 @@ int Gaps::remove(LocalIndex i, std::vector<FoundBond>& found) const {
   if (!looked_at_) return 0;
   const auto part = static_cast<std::size_t>(body_.part[static_cast<std::size_t>(i)]);
   if (!solid_[part]) return 0;
-  // Centres of a lattice's cells are inside of its shape; points of a cloud may be anywhere.
+  // Centres of a lattice's cells are inside of its shape. Points of a cloud may be anywhere.
   const bool stays = shape_[part] && body::convex_within(*shape_[part], body_.position3(i), reach_, body_.dimension);
   const auto last = std::remove_if(found.begin(), found.end(), [&](const FoundBond& bond) {
     const bool own = body_.part[static_cast<std::size_t>(bond.neighbor)] == body_.part[static_cast<std::size_t>(i)];

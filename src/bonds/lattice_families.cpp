@@ -9,7 +9,7 @@ namespace perinox::bonds {
 
 namespace {
 bool forward(const std::array<int, 3>& step) { return std::tie(step[2], step[1], step[0]) > std::make_tuple(0, 0, 0); }
-// Rows and planes that are worked on together, so that what they share stays in the second-level cache.
+// Rows and planes are worked on in tiles of this size, so that what they share stays in the second-level cache.
 constexpr std::int64_t tile = 8;
 }  // namespace
 
@@ -66,8 +66,8 @@ void LatticeFamilies::receive(LocalIndex i, const std::vector<FoundBond>& family
 }
 
 void LatticeFamilies::complete() {
-  // Offsets along the row outermost: what one offset adds to a cell is read again only many offsets later, when the
-  // store has left the pipeline.
+  // The step along the row varies slowest in the order of the offsets, so that what one offset adds to a cell is read
+  // again only many offsets later, when the store has left the pipeline.
   std::vector<std::size_t> order(offsets_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),

@@ -7,10 +7,10 @@
 namespace perinox::bonds {
 
 namespace {
-/// Below this ratio of M's eigenvalues a family does not tell all strains apart.
+/// Below this ratio of M's smallest eigenvalue to its largest a family does not tell all strains apart.
 constexpr double singular = 1e-6;
 constexpr double isotropic = 1e-10;
-/// Of m: a few bonds in one direction have no energy left once the dilatation is taken off.
+/// Least deviatoric volume over m: a few bonds in one direction have no energy left once the dilatation is taken off.
 constexpr double least_share = 0.1;
 }  // namespace
 
@@ -29,14 +29,14 @@ double Moment::weighted_volume() const {
 
 double deviatoric_volume(int dimension, const std::array<double, 36>& sums) {
   const int n = mandel_size(dimension), d = dimension;
-  double m = 0, square = 0;  // of M I: its trace, and the square of its size
+  double m = 0, square = 0;  // trace of M I, and the square of its norm
   for (int p = 0; p < n; ++p) {
     double entry = 0;
     for (int c = 0; c < d; ++c) entry += sums[static_cast<std::size_t>(p * n + c)];
     if (p < d) m += entry;
     square += entry * entry;
   }
-  // The mean over unit deviators of eps M eps - (I M eps)^2/m; trace of M is m.
+  // The mean over unit deviators of eps M eps - (I M eps)^2/m. The trace of M is m.
   const double mean = (m * (d - 1) / d - (square - m * m / d) / m) / (n - 1);
   return std::max(d * (d + 2) * mean / 2, least_share * m);
 }

@@ -11,7 +11,7 @@ namespace perinox::bonds {
 
 namespace {
 
-/// Every third bit of the result is a bit of `value` (21 bits).
+/// Spreads the 21 low bits of `value` to every third bit of the result.
 std::uint64_t spread(std::uint64_t value) {
   value &= 0x1fffff;
   value = (value | value << 32) & 0x1f00000000ffffULL;
@@ -21,7 +21,7 @@ std::uint64_t spread(std::uint64_t value) {
   return (value | value << 2) & 0x1249249249249249ULL;
 }
 
-/// Particles first to last - 1 along the curve.
+/// Particles first to last - 1 in the order of the curve.
 std::vector<LocalIndex> curve(const body::Body& body, int first, int last) {
   const int d = body.dimension;
   std::array<double, 3> low{}, high{};

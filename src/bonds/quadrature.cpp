@@ -1,4 +1,5 @@
-/// The formulas of a single bond: influence function, share of the neighbour's volume, factor that a lattice needs.
+/// The formulas of a single bond: the influence function, the share of the neighbour's volume and the factor that a
+/// lattice needs (docs/theory.md, section 8).
 #include <algorithm>
 #include <cmath>
 

@@ -27,7 +27,7 @@ class Checker {
     in_plane_ = dimension != nullptr && dimension->text != "3";
   }
 
-  /// `name` is what messages call the value; `path` its dotted path.
+  /// Checks one value. Messages call it `name`; `path` is its dotted path.
   Value check(const Node& node, const Key& use, const std::string& name, const std::string& path) {
     const Key& key = schema_.structure(use);
     if (node.kind == Node::Kind::null) {
@@ -58,7 +58,7 @@ class Checker {
   }
 
  private:
-  /// A field that only other scenes have is no remedy.
+  /// Refuses an unknown field. A field that only other scenes have is not offered as a remedy.
   void refuse_unknown_field(const Node& node) const {
     if (schema_.field(node.text) != nullptr) return;
     std::vector<std::string> names;
@@ -227,14 +227,14 @@ class Checker {
                                       key.sentence));
   }
 
-  /// A default's text as a tree, parsed once: there are few, and every deck needs most of them.
+  /// A default's text as a tree, parsed once. There are few of them, and every deck needs most.
   static const Node& parsed_default(const std::string& text) {
     static std::map<std::string, Node> parsed;
     const auto found = parsed.find(text);
     return found != parsed.end() ? found->second : parsed.emplace(text, parse_yaml(text, "")).first->second;
   }
 
-  /// The default of a key that was not written; a Value of kind none if it has none.
+  /// The default of a key that was not written. It is a Value of kind none if the key has none.
   Value fallback(const Key& key, const std::string& path, const Location& where) {
     if (!key.fallback) return {};
     try {
@@ -248,7 +248,7 @@ class Checker {
     }
   }
 
-  /// The same value marked as a default of the map at `where`.
+  /// The same value, marked as a default of the map at `where`.
   static Value relocated(const Value& value, const Location& where) {
     if (value.kind() == Value::Kind::scalar) return Value::scalar(value.text(), where, false);
     if (value.kind() == Value::Kind::list) {

@@ -10,7 +10,8 @@
 namespace perinox::deck {
 namespace {
 
-/// Names appear in file headers and option paths: letters (of any language), digits, blank and _ - . + only.
+/// Refuses names with odd characters. Names appear in file headers and option paths, so they may have only letters (of
+/// any language), digits, blanks and _ - . +.
 void refuse_odd_name(const std::string& name, const Location& where, const std::string& of) {
   const auto fits = [](char c) {
     const auto byte = static_cast<unsigned char>(c);
@@ -44,7 +45,7 @@ void refuse_unknown_name(const Value& value, const std::vector<std::string>& kno
   refuse(value.location(), fmt::format("{} is not the name of {}{}", value.text(), of, hint));
 }
 
-/// history.csv would have two columns of one name.
+/// Refuses names with which history.csv would have two columns of one name.
 void refuse_names_of_columns(const Value& history) {
   for (const Value& entry : history.items()) {
     const Value& name = entry.at("name");

@@ -13,17 +13,17 @@ namespace {
 
 constexpr std::array<const char*, 6> operators{"<=", ">=", "==", "!=", "<", ">"};  // two characters first
 
-/// What the comparisons of a condition have been given, and how they decide.
+/// The values that the comparisons of a condition have been given, and how they decide.
 struct Comparisons {
-  std::vector<double> difference;  ///< of the last evaluation; not a number: not reached
-  std::vector<double> slack;       ///< of each
+  std::vector<double> difference;  ///< differences in the last evaluation; not a number: not reached
+  std::vector<double> slack;       ///< slack of each comparison
   bool odd = false;                ///< something that was compared in the last evaluation is not a number
   double for_odd = 0;              ///< what such a comparison gives
   bool undefined = false;          ///< the last condition depends on what such a comparison gives
 };
 thread_local Comparisons* now = nullptr;
 
-/// Called by muParser; number: of the comparison; kind: of its operator.
+/// Evaluates one comparison for muParser. number: that of the comparison; kind: that of its operator.
 double compare(double number, double kind, double a, double b) {
   const auto k = static_cast<std::size_t>(number);
   const double difference = a - b;
@@ -49,7 +49,7 @@ double compare(double number, double kind, double a, double b) {
   }
 }
 
-/// Writes a checked formula with compare(number, kind, a, b) for every a ? b.
+/// Rewrites a checked formula with compare(number, kind, a, b) for every comparison of a and b.
 class Rewritten {
  public:
   explicit Rewritten(const std::string& formula) : formula_(formula) { text_ = level(); }
@@ -57,7 +57,7 @@ class Rewritten {
   std::size_t count() const { return count_; }
 
  private:
-  /// Up to the parenthesis that closes this level, or the end.
+  /// Rewrites the text up to the parenthesis that closes this level, or up to the end.
   std::string level() {
     std::string done, part, left;
     int kind = -1;
@@ -135,7 +135,7 @@ struct Condition::Compiled {
     comparisons.for_odd = 0;
     const double value = parser.Eval();
     comparisons.undefined = std::isnan(value);
-    if (comparisons.odd) {  // all of && and || is evaluated: does it matter?
+    if (comparisons.odd) {  // all of && and || is evaluated, so it must be found out whether this matters
       comparisons.for_odd = 1;
       const double other = parser.Eval();
       comparisons.undefined = std::isnan(value) || (other != 0) != (value != 0);

@@ -11,7 +11,7 @@
 namespace perinox::deck {
 namespace {
 
-/// A number without a parser, anything else compiled.
+/// Makes a number without a parser. Anything else is compiled.
 Expression convert_expression(const Value& value) { return Expression(value.text(), value.location()); }
 
 BodyPart convert_body(const Value& value, Dimension dimension) {
@@ -51,7 +51,7 @@ void convert_boundary_cells(const Value& word, Quadrature quadrature, BodyPart& 
   part.cut_cells = word.text() != "whole" && quadrature == Quadrature::position_aware && !cloud;
 }
 
-/// Takes every later body's shape from the earlier ones.
+/// Takes every later body's shape away from the earlier ones.
 void let_later_bodies_win(std::vector<BodyPart>& bodies) {
   const auto region = [](const BodyPart& part) -> const Shape* {
     if (!std::holds_alternative<CloudFile>(part.shape.form)) return part.as_written ? &*part.as_written : &part.shape;

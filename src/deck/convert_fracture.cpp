@@ -1,4 +1,4 @@
-/// Breaking bonds, motion in time, and the way from one to the other.
+/// Converts what a deck says about breaking bonds, motion in time, and the way from one to the other.
 #include <fmt/format.h>
 
 #include "convert.hpp"

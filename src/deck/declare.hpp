@@ -1,16 +1,16 @@
 #pragma once
-/// The declarations of the deck's keys, as data. One function a part of the deck; Schema puts them together.
+/// The declarations of the deck's keys, as data. Each part of the deck has one function; Schema puts them together.
 #include "perinox/deck/key_forms.hpp"
 
 namespace perinox::deck {
 
-/// The whole deck. The models' names become the words of `materials.<name>.model`.
+/// Declares the whole deck. The models' names become the words of `materials.<name>.model`.
 Key declare_deck(const std::vector<ModelDeclaration>& models, const std::vector<FieldDeclaration>& fields);
 
-/// The output fields of every scene, then those that the models add, each once.
+/// Declares the output fields of every scene, then those that the models add, each once.
 std::vector<FieldDeclaration> declare_fields(const std::vector<ModelDeclaration>& models);
 
-/// The definition `shape`, which contains itself.
+/// Declares the definition `shape`, which contains itself.
 Key declare_shape();
 Key declare_body();
 Key declare_cracks();

@@ -1,4 +1,4 @@
-/// The deck's top level: every part in the order in which the reference page shows it.
+/// Declares the deck's top level: every part in the order in which the reference page shows it.
 #include "declare.hpp"
 #include "words.hpp"
 

@@ -1,4 +1,4 @@
-/// The fields that a run can write to results.h5: what they are, their units, and which scenes have them.
+/// Declares the fields that a run can write to results.h5: what they are, their units, and which scenes have them.
 #include <algorithm>
 
 #include "declare.hpp"

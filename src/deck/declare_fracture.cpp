@@ -1,4 +1,4 @@
-/// Breaking bonds, motion in time, and the way from one to the other.
+/// Declares the keys of breaking bonds, of motion in time, and of the way from one to the other.
 #include "declare.hpp"
 #include "words.hpp"
 

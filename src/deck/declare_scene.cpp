@@ -1,4 +1,4 @@
-/// Bodies, cracks, sets and loads.
+/// Declares the keys of bodies, cracks, sets and loads.
 #include "declare.hpp"
 #include "words.hpp"
 

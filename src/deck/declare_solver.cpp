@@ -1,4 +1,4 @@
-/// The solver's settings.
+/// Declares the keys of the solver.
 #include "declare.hpp"
 #include "words.hpp"
 

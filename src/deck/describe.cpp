@@ -53,7 +53,8 @@ std::vector<std::string> names_of(const std::vector<Key>& keys) {
   return names;
 }
 
-/// "exactly one of box, cylinder or sphere"; "at least one of x, y or z"; "x, y, z or else table".
+/// The alternatives of a map in words: "exactly one of box, cylinder or sphere"; "at least one of x, y or z"; "x, y, z
+/// or else table".
 std::string alternatives_text(const Key& key) {
   std::vector<std::string> groups;
   bool single = true;

@@ -1,5 +1,5 @@
 #pragma once
-/// The schema's keys in words, for `perinox help` and the reference page.
+/// Describes the schema's keys in words, for `perinox help` and the reference page.
 #include <string>
 #include <vector>
 
@@ -7,8 +7,8 @@
 
 namespace perinox::deck {
 
-/// One key and where it is: `path` is dotted, list entries and user-chosen names left out; a material's own keys carry
-/// their model's name (`materials.elastic.bulk_modulus`), which `path_without_model` leaves out.
+/// One key and its place. `path` is dotted and leaves out list entries and names chosen by the user. A material's own
+/// keys carry their model's name (`materials.elastic.bulk_modulus`), which `path_without_model` leaves out.
 struct DescribedKey {
   std::string path;
   std::string path_without_model;
@@ -16,22 +16,22 @@ struct DescribedKey {
   bool alternative = false;  ///< one of several keys that exclude each other
 };
 
-/// Every key of the deck, outer before inner. Shapes within shapes are listed once.
+/// All keys of the deck, outer ones before inner ones. Shapes within shapes are listed once.
 std::vector<DescribedKey> every_key(const Schema& schema);
-/// The keys inside `key`, relative to it, not entering definitions it refers to.
+/// The keys inside `key`, with paths relative to it. Definitions to which it refers are not entered.
 std::vector<DescribedKey> keys_inside(const Key& key);
 
-/// "number", "list of words: a, b", "exactly one of box, cylinder, ...".
+/// The type of a key in words: "number", "list of words: a, b", "exactly one of box, cylinder, ...".
 std::string type_text(const Key& key, const Schema& schema);
-/// "length", "dimensionless", or "" for what has no unit.
+/// The unit in words: "length", "dimensionless", or "" for what has no unit.
 std::string unit_text(const std::string& unit);
-/// "required", "alternative", "optional", or the default as YAML.
+/// The default in words: "required", "alternative", "optional", or the default as YAML.
 std::string default_text(const DescribedKey& described);
 /// True if `key` names one of several groups of keys that exclude each other in `map`.
 bool is_alternative(const Key& map, const Key& key);
-/// The key in a few lines for the terminal, with the keys inside it.
+/// Describes the key in a few lines for the terminal, with the keys inside it.
 std::string help_text(const DescribedKey& described, const Schema& schema);
-/// An output field in a few lines for the terminal.
+/// Describes an output field in a few lines for the terminal.
 std::string field_text(const FieldDeclaration& field);
 
 }  // namespace perinox::deck

@@ -16,7 +16,8 @@ namespace perinox::deck {
 namespace {
 
 constexpr int deepest = 60;
-/// A value takes a character at least where it is written; only aliases make more of them. So many more are let be.
+/// A value that is written out takes at least one character of the text; only aliases make more values than that. This
+/// many more are allowed.
 constexpr std::size_t most_from_aliases = 10'000;
 
 class TreeBuilder {
@@ -60,20 +61,20 @@ class TreeBuilder {
     map.entries.push_back({key.Scalar(), where, build(value, where, depth + 1)});
   }
 
-  /// yaml-cpp marks an empty value behind itself; it is then better named by what is around it.
+  /// The place of a node. yaml-cpp marks an empty value behind itself, so it is better named by what is around it.
   Location place(const YAML::Node& yaml, const Location& around) const {
     const YAML::Mark mark = yaml.Mark();
     if (mark.line < 0 || yaml.IsNull()) return around;
     return {file_, mark.line + 1, columns_.of(mark.line + 1, mark.column)};
   }
 
-  /// Where a scalar without quotes goes on in a later line; line 0 if it ends on its own.
+  /// The place where a scalar without quotes goes on in a later line. Line 0 if it ends on its own line.
   Location place_in_next_line(const Node& scalar, int bytes) const {
     if (scalar.text.find(' ') == std::string::npos || scalar.location.line <= 0) return {};
     const std::vector<std::size_t>& line_starts = columns_.line_starts();
     const auto line = static_cast<std::size_t>(scalar.location.line);
     if (line >= line_starts.size()) return {};
-    // Its mark may stand at an anchor before it.
+    // The mark of a scalar may stand at an anchor before it.
     constexpr std::size_t longest_anchor = 200;
     const std::size_t begin =
         std::min(line_starts[line - 1] + static_cast<std::size_t>(std::max(bytes, 0)), yaml_.size());
@@ -94,7 +95,7 @@ class TreeBuilder {
   std::size_t nodes_ = 0;
 };
 
-/// Refuses the text at the slip in its layout, or, where there is none before `where`, there with `sentence`.
+/// Refuses the text at the slip in its layout, or with `sentence` at `where` if there is no slip before that place.
 [[noreturn]] void refuse_layout(const std::string& yaml, const Location& where, const std::string& sentence) {
   const auto slip = find_layout_mistake(yaml);
   if (slip && (where.line <= 0 || slip->line <= where.line))
@@ -102,7 +103,7 @@ class TreeBuilder {
   refuse(where, sentence);
 }
 
-/// Hears only where documents start.
+/// Notes only where documents start.
 class DocumentStarts : public YAML::EventHandler {
  public:
   YAML::Mark latest;
@@ -117,8 +118,8 @@ class DocumentStarts : public YAML::EventHandler {
   void OnMapEnd() override {}
 };
 
-/// yaml-cpp takes a comma or bracket outside of any list for the start of endless empty documents, so no more than two
-/// are ever asked for.
+/// Refuses a text of more than one document. yaml-cpp takes a comma or bracket outside of any list for the start of
+/// endless empty documents, so no more than two are ever asked for.
 void refuse_second_document(const std::string& yaml, const std::string& file) {
   std::istringstream stream(yaml);
   YAML::Parser parser(stream);
@@ -155,7 +156,7 @@ std::string syntax_sentence(const std::string& message) {
   return "this is not YAML (" + message + "); check indentation, colons and brackets near here";
 }
 
-/// `a.b.c` as its words.
+/// Splits `a.b.c` into its words.
 std::vector<std::string> split_path(const std::string& path) {
   std::vector<std::string> words(1);
   for (const char c : path) {

@@ -14,13 +14,13 @@ struct Node {
   Location location;
   std::string text;     ///< of a scalar
   bool quoted = false;  ///< a scalar in quotes is text, never a number
-  Location goes_on;     ///< where a scalar without quotes goes on in a later line; line 0: nowhere
+  Location goes_on;     ///< place where a scalar without quotes goes on in a later line; line 0: nowhere
   std::vector<Node> items;
   std::vector<Entry> entries;  ///< in the file's order; a key written twice is there twice
 
   /// What a message calls this node: 'abc', a list, a map, nothing.
   std::string description() const;
-  /// nullptr if there is no such key.
+  /// The value of a key, or nullptr if there is no such key.
   const Node* find(const std::string& key) const;
 };
 struct Entry {
@@ -29,15 +29,16 @@ struct Entry {
   Node value;
 };
 
-/// Throws InputError for anything that is not one YAML document of reasonable depth and size.
+/// Parses a YAML text. Throws InputError for anything that is not one YAML document of reasonable depth and size.
 Node parse_yaml(const std::string& yaml, const std::string& file);
 
-/// For a text that is YAML but no deck: throws InputError where a slip of the keyboard has given it another meaning,
-/// such as quotes that were never closed. Returns where there is none.
+/// For a text that is YAML but no deck: throws InputError at a slip of the keyboard that has given the text another
+/// meaning, such as quotes that were never closed. It returns if there is no such slip.
 void refuse_hidden_slip(const std::string& yaml, const std::string& file);
 
-/// Replaces or adds the value at a dotted path: `solver.newton.tolerance=1e-9`, `body.0.spacing=0.1`. The new nodes'
-/// place is the override itself. Throws InputError if the path runs through a scalar or past the end of a list.
+/// Replaces or adds the value at a dotted path, as in `solver.newton.tolerance=1e-9` and `body.0.spacing=0.1`. The
+/// place of the new nodes is the override itself. Throws InputError if the path runs through a scalar or past the end
+/// of a list.
 void apply_override(Node& root, const std::string& override_text);
 
 }  // namespace perinox::deck

@@ -31,7 +31,7 @@ namespace {
 constexpr std::size_t longest_formula = 10000;
 constexpr std::size_t deepest_formula = 100;
 
-/// What is wrong with a formula, said where in it (characters count from 1).
+/// Refuses a formula at a place within it. Characters count from 1.
 [[noreturn]] void refuse_formula(const Location& where, const std::string& formula, std::size_t position,
                                  const std::string& sentence) {
   refuse(where, fmt::format("the formula '{}' cannot be read at character {}: {}", formula, position + 1, sentence));
@@ -46,7 +46,7 @@ std::vector<std::string> known_names(const mu::Parser& parser) {
 bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 bool continues_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// Every name in the formula is known; `1e3` is a number, not a name.
+/// Checks that every name in the formula is known. `1e3` is a number, not a name.
 void check_names(const std::string& formula, const mu::Parser& parser, const Location& where) {
   const std::vector<std::string> names = known_names(parser);
   for (std::size_t i = 0; i < formula.size();) {
@@ -81,7 +81,7 @@ void check_names(const std::string& formula, const mu::Parser& parser, const Loc
   }
 }
 
-/// Characters of other languages, said before what stands behind them is found odd.
+/// Refuses characters of other languages, before what stands behind them is found odd.
 void check_characters(const std::string& formula, const Location& where) {
   for (std::size_t i = 0; i < formula.size(); ++i) {
     const std::string two = formula.substr(i, 2);
@@ -94,8 +94,8 @@ void check_characters(const std::string& formula, const Location& where) {
   }
 }
 
-/// Operators that muParser would read otherwise than the user meant: `x = 1` assigns, `0 < z < 1` compares a truth
-/// value, `&` and `|` are half an operator, and a comma outside a function drops everything before it.
+/// Refuses operators that muParser would read otherwise than the user meant: `x = 1` assigns, `0 < z < 1` compares a
+/// truth value, `&` and `|` are half an operator, and a comma outside a function drops everything before it.
 void check_operators(const std::string& formula, const Location& where) {
   struct Level {
     bool compared = false, function = false;

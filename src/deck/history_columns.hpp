@@ -4,8 +4,8 @@
 
 namespace perinox::deck {
 
-/// Every column that history.csv has by itself in some run; a history entry of such a name would be a second column
-/// under one header, or become one when the deck is given a damage law.
+/// All columns that history.csv has by itself in some run. A history entry of such a name would be a second column
+/// under one header, or it would become one when the deck is given a damage law.
 inline const std::vector<std::string> history_columns{
     "step",
     "t",

@@ -1,5 +1,5 @@
 #pragma once
-/// Just enough JSON to write a schema: objects keep their keys' order.
+/// Just enough JSON to write a schema. Objects keep the order of their keys.
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,20 +8,20 @@ namespace perinox::deck {
 
 class Json {
  public:
-  /// Text that is written as it stands: a number, true, false.
+  /// A text that is written as it stands: a number, true, false.
   static Json literal(std::string text);
   static Json text(const std::string& text);
   static Json texts(const std::vector<std::string>& words);
   static Json array(std::vector<Json> items = {});
   static Json object();
 
-  /// Of an object: adds a key behind the others.
+  /// Adds a key to an object, behind the others.
   Json& set(const std::string& key, Json value);
-  /// The same before the others.
+  /// Adds a key to an object, before the others.
   Json& set_first(const std::string& key, Json value);
-  /// Of an array.
+  /// Adds a value to an array.
   Json& add(Json value);
-  /// Two blanks a level, no line feed at the end.
+  /// The value as text, with two blanks a level and no line feed at the end.
   std::string dump(std::size_t indent = 0) const;
 
  private:

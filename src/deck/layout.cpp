@@ -15,11 +15,11 @@ using Form = LayoutForm;
 using Item = LayoutItem;
 
 /// A block map or list that is open at the current line.
-struct Level {
-  Form form;  ///< of its entries; text: a plain text over several lines
+struct Level {  ///< form of its entries; text: a plain text over several lines
+  Form form;    ///< of its entries; text: a plain text over several lines
   int column;
-  std::size_t first;  ///< item
-  std::size_t last;   ///< item so far
+  std::size_t first;  ///< its first item
+  std::size_t last;   ///< its last item so far
 };
 
 class BlockStructure {
@@ -88,7 +88,7 @@ class BlockStructure {
                               items_[levels_.back().first].line));
   }
 
-  /// A line of a map without `key: `. Says how to write it where its first word shows what was meant.
+  /// Refuses a line of a map without `key: `. It says how to write the line where its first word shows what was meant.
   void no_colon(const Item& item) {
     const std::string& text = item.text;
     const auto of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; };
@@ -112,8 +112,8 @@ class BlockStructure {
     mistake(item, fmt::format("a colon is missing behind {}; write {}", word, written(end)));
   }
 
-  /// Two lines of one block that begin in different columns. The column that fewer of the block's lines have is the
-  /// slip; where it is a draw, the odd one, or else the later line.
+  /// Refuses two lines of one block that begin in different columns. The slip is the column that fewer of the block's
+  /// lines have; in a draw it is the odd column, or else the later line.
   void uneven(const Level& level, std::optional<int> around, const Item& item) {
     std::size_t end = at_;
     while (end < items_.size() && (!around || items_[end].column > *around)) ++end;

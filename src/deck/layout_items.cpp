@@ -47,7 +47,7 @@ class ItemReader {
 
   static bool is_end(char c) { return c == '\n' || c == '\r' || c == '\0'; }
 
-  /// `-name: block`: to YAML a key that begins with a hyphen.
+  /// Refuses `-name: block`, which YAML takes for a key that begins with a hyphen.
   void refuse_joined_hyphen() {
     const char next = text_.peek(1);
     if (text_.peek() != '-' || !(std::isalpha(static_cast<unsigned char>(next)) || next == '{' || next == '[')) return;
@@ -56,7 +56,7 @@ class ItemReader {
       text_.mistake_here("a blank is missing behind the hyphen of this list entry; write - and a blank");
   }
 
-  /// Anchors and tags before a value.
+  /// Skips anchors and tags before a value.
   void skip_properties() {
     while (text_.peek() == '&' || text_.peek() == '!') {
       while (!text_.at_line_end() && text_.peek() != ' ') text_.advance();
@@ -116,7 +116,7 @@ class ItemReader {
     }
   }
 
-  /// What may stand behind a value in quotes or brackets: nothing.
+  /// Checks that nothing stands behind a value in quotes or brackets.
   void pass_end(char first) {
     if (text_.found() || (first != '"' && first != '\'' && first != '[' && first != '{')) return;
     text_.skip_to_line_end_if_empty();
@@ -132,7 +132,7 @@ class ItemReader {
       text_.mistake_here("text follows the closing bracket; take it out, or put the whole value into quotes");
   }
 
-  /// A text behind | or >: all lines that are indented further than its key.
+  /// Passes a text behind | or >: all lines that are indented further than its key.
   void pass_block_text(int column) {
     while (text_.indentation_of_next_line() > column) text_.next_line();
     while (!text_.at_line_end()) text_.advance();

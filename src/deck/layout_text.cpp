@@ -16,7 +16,7 @@ bool is_bracket(char c) { return c == '[' || c == ']' || c == '{' || c == '}'; }
 char closing(char bracket) { return bracket == '[' ? ']' : '}'; }
 const char* kind_of(char bracket) { return bracket == '[' ? "list" : "map"; }
 
-/// Characters that word processors and web pages put in the place of plain ones.
+/// A character that word processors and web pages put in the place of a plain one.
 struct LookAlike {
   const char* bytes;
   const char* sentence;
@@ -127,7 +127,7 @@ void LayoutText::pass_quotes() {
   }
   at_ = text_.size();
   never_closed(true);
-  // Without its closing quote a text may take all the rest for itself, and nobody objects.
+  // Without its closing quote a text may swallow all the rest, and no parser objects.
   if (found_->line == line && found_->column == start + 1) found_->hidden = true;
 }
 
@@ -194,8 +194,9 @@ bool LayoutText::close_flow(std::vector<Open>& open) {
   return true;
 }
 
-/// Plain text up to what ends it. A second colon in it means that a comma was left out before the word that the colon
-/// ends, or a bracket before the first word; an open parenthesis at its end, that a comma has cut a formula in two.
+/// Passes plain text up to what ends it. A second colon in it means that a comma was left out before the word that the
+/// colon ends, or a bracket before the first word. An open parenthesis at its end means that a comma has cut a formula
+/// in two.
 void LayoutText::pass_flow_word(Open& inner) {
   const std::size_t begin = at_;
   const int start = column();

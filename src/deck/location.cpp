@@ -8,7 +8,8 @@ namespace perinox::deck {
 
 namespace {
 
-/// What a deck or a file says may hold anything; a message is one line that a terminal can show, and ends.
+/// Makes one line of a text. What a deck or a file says may hold anything, but a message is one line of limited length
+/// that a terminal can show.
 std::string as_one_line(const std::string& text) {
   constexpr std::size_t longest = 2000;
   std::string line;
@@ -20,7 +21,7 @@ std::string as_one_line(const std::string& text) {
     }
   }
   if (line.size() <= longest) return line;
-  // Its end says what to do.
+  // The end of a message is kept because it says what to do.
   return line.substr(0, longest / 2) + " ... " + line.substr(line.size() - longest / 2);
 }
 

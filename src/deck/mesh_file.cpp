@@ -10,7 +10,7 @@ namespace perinox::deck {
 namespace {
 
 struct Format {
-  const char* mark;  ///< of the file's first bytes, or of its name
+  const char* mark;  ///< how the file's first bytes begin, or how its name ends
   const char* name;
 };
 
@@ -47,7 +47,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// A header of columns: what a table has under whatever name.
+/// True if the text begins with a header of columns, which a table has under whatever name.
 bool begins_as_table(const std::string& first_bytes) {
   const std::string line = first_bytes.substr(0, first_bytes.find('\n'));
   return line.find(',') != std::string::npos && line.find('\0') == std::string::npos && line[0] != '*';

@@ -7,7 +7,7 @@
 namespace perinox::deck {
 namespace {
 
-/// Letters in lower case, hyphen and blank as underscore: differences that are no difference to a reader.
+/// The word with letters in lower case and hyphen and blank as underscore. To a reader these make no difference.
 std::string plain(const std::string& word) {
   std::string result = word;
   for (char& c : result) {
@@ -17,7 +17,7 @@ std::string plain(const std::string& word) {
   return result;
 }
 
-/// Insertions, deletions, replacements and swaps of neighbours that turn one word into the other.
+/// Number of insertions, deletions, replacements and swaps of neighbours that turn one word into the other.
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   const std::size_t columns = b.size() + 1;
   std::vector<std::size_t> before(columns), above(columns), row(columns);
@@ -53,12 +53,12 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
     }
   }
   if (!best.empty() || wanted.size() < 3) return best;
-  // An abbreviation: `disp` of displacement, `poisson` of poisson_ratio.
+  // The word may be an abbreviation: `disp` of displacement, `poisson` of poisson_ratio.
   for (const std::string& candidate : candidates) {
     const std::string whole = plain(candidate);
     if (whole.rfind(wanted, 0) == 0 || (wanted.rfind(whole, 0) == 0 && whole.size() >= 3)) return candidate;
   }
-  // Some of the words of one candidate alone: `mises` of von_mises_stress.
+  // The word may be some of the words of one candidate alone: `mises` of von_mises_stress.
   for (const std::string& candidate : candidates) {
     if (("_" + plain(candidate) + "_").find("_" + wanted + "_") == std::string::npos) continue;
     if (!best.empty() && best != candidate) return "";

@@ -37,7 +37,7 @@ std::string content_of(const std::string& file, const std::string& kind) {
   return text;
 }
 
-/// A deck without a title is called by its file's name.
+/// Gives a deck without a title the name of its file.
 Value with_title(const Value& checked, const std::string& file) {
   if (checked.has("title")) return checked;
   std::string stem = std::filesystem::path(file).stem().string();
@@ -47,7 +47,7 @@ Value with_title(const Value& checked, const std::string& file) {
   return Value::map(std::move(entries), checked.location(), true);
 }
 
-/// Checks a text that has been read as YAML; where it is refused, a slip that gave it another meaning is named instead.
+/// Checks a text that has been read as YAML. Where it is refused, a slip that gave it another meaning is named instead.
 template <class Check>
 auto refusing_slips(const std::string& yaml, const std::string& file, Check&& check) {
   try {

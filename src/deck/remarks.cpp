@@ -10,10 +10,10 @@
 namespace perinox::deck {
 namespace {
 
-/// Below it a family holds the nearest neighbours and hardly any others.
+/// Horizon in spacings below which a family holds the nearest neighbours and hardly any others.
 constexpr double few_spacings = 1.5;
 
-/// True of a load that is the same at every t and not zero.
+/// True for a load that is the same at every t and not zero.
 bool is_steady(const Load& load) {
   bool acts = false;
   for (const auto& component : load.component) {
@@ -59,7 +59,8 @@ void remark_on_horizon(const Deck& deck, std::vector<std::string>& found) {
                          spacings)));
 }
 
-/// Keys that are right, of which this run makes no use. A map that the deck does not have stands where the deck begins.
+/// Remarks on keys that are right but of which this run makes no use. The location of a map that the deck does not have
+/// is where the deck begins.
 void remark_on_unused(const Deck& deck, std::vector<std::string>& found) {
   const auto unused = [&](const Location& where, const char* key, const char* why) {
     if (where.column > 1) found.push_back(placed(where, fmt::format("{} has no effect here: {}", key, why)));

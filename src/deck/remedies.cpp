@@ -51,7 +51,7 @@ std::string as_value_of(const Node& scalar, const Key& key) {
   }
 }
 
-/// `box` or 3.015 for a map: as {box: ...}, {ratio: 3.015}.
+/// The remedy for `box` or 3.015 where a map is wanted: {box: ...}, {ratio: 3.015}.
 std::string map_of_scalar(const Node& scalar, const Key& wanted, const Schema& schema) {
   if (&wanted == &schema.root()) return "";
   std::vector<std::string> written;
@@ -77,7 +77,7 @@ std::string written_list(const Node& list, std::size_t begin, std::size_t end) {
   return fmt::format("[{}]", fmt::join(texts, ", "));
 }
 
-/// [0, 0, 1] for a map of components: as {x: 0, y: 0, z: 1}.
+/// The remedy for [0, 0, 1] where a map of components is wanted: {x: 0, y: 0, z: 1}.
 std::string map_of_list(const Node& list, const Key& wanted, const Schema& schema) {
   if (wanted.type == Type::named) return "; take the hyphens away and write each entry under its name: NAME: {...}";
   const bool components = wanted.keys.size() >= 3 && wanted.keys[0].name == "x" && wanted.keys[2].name == "z";
@@ -120,7 +120,7 @@ std::string list_of(const Node& found, const Key& wanted, const Schema& schema) 
   return value.empty() ? "" : fmt::format("; write [{}]", value);
 }
 
-/// "" unless the text is digits in groups of three, as 160,000 or 1 000 000: those digits.
+/// The digits of a text in groups of three, such as 160,000 or 1 000 000; "" for any other text.
 std::string without_groups(const std::string& text) {
   const std::size_t first = text.find_first_of(", _'");
   if (first == std::string::npos || first == 0 || first > 3) return "";
@@ -132,7 +132,7 @@ std::string without_groups(const std::string& text) {
   return std::all_of(digits.begin(), digits.end(), is_digit) ? digits : "";
 }
 
-/// The value of a formula of numbers alone, such as 1/3; nothing for all else.
+/// The value of a formula of numbers alone, such as 1/3; nothing for anything else.
 std::optional<double> constant_value(const std::string& text) {
   if (text.find_first_of("+-*/^()") == std::string::npos) return std::nullopt;
   try {
@@ -145,7 +145,7 @@ std::optional<double> constant_value(const std::string& text) {
   }
 }
 
-/// The number that a text begins with, where letters or % follow it: "10 mm". `rest`: those.
+/// The number with which a text such as "10 mm" begins, if letters or % follow it. `rest`: what follows.
 std::string number_before(const std::string& text, std::string& rest) {
   for (std::size_t end = text.size(); end > 0; --end) {
     if (!is_digit(text[end - 1]) && text[end - 1] != '.') continue;

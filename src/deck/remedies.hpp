@@ -1,6 +1,6 @@
 #pragma once
-/// What a refusal adds about the remedy: "; write {tension: 203.1}", or "" where nothing is known. What users bring
-/// along from other programs and from habit is known here by name.
+/// What a refusal adds about the remedy, such as "; write {tension: 203.1}"; "" where nothing is known. It knows by
+/// name what users bring along from other programs and from habit.
 #include <string>
 #include <vector>
 
@@ -9,14 +9,15 @@
 
 namespace perinox::deck {
 
-/// For a value of the wrong form: a number where a map is wanted, a map where a list is, a list where a map is.
+/// The remedy for a value of the wrong form: a number where a map is wanted, a map where a list is, a list where a map
+/// is.
 std::string right_form(const Node& found, const Key& wanted, const Schema& schema);
 
-/// For a number that does not read as one: with a unit, a decimal comma, digits in groups, or a formula.
+/// The remedy for a number that does not read as one: with a unit, a decimal comma, digits in groups, or a formula.
 std::string right_number(const Node& found);
 
-/// For a key of the map `map` that is none of `known`: the colon or blank that it lacks, the key's own word for it, the
-/// part of the deck that it belongs to, or the keys that there are.
+/// The remedy for a key of the map `map` that is none of `known`: the colon or blank that it lacks, the key's own word
+/// for it, the part of the deck to which it belongs, or the keys that there are.
 std::string right_key(const Node& map, const Entry& entry, const std::vector<std::string>& known, const Schema& schema);
 
 }  // namespace perinox::deck

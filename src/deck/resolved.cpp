@@ -8,7 +8,7 @@
 namespace perinox::deck {
 namespace {
 
-/// Short values stay on one line, as a user would write them: scalars, and lists and maps of scalars.
+/// True for values that stay on one line, as a user would write them: scalars, and short lists and maps of scalars.
 bool fits_one_line(const Value& value) {
   const auto is_scalar = [](const Value& inner) { return inner.kind() == Value::Kind::scalar; };
   std::size_t letters = 0;
@@ -28,7 +28,7 @@ bool fits_one_line(const Value& value) {
 
 namespace fs = std::filesystem;
 
-/// A value as it is written into a file of `folder`; "" without one.
+/// A value as it is written into a file of `folder`; the folder "" keeps absolute paths.
 std::string text_in(const Value& value, const std::string& folder) {
   if (!value.is_file() || folder.empty() || fs::path(value.written()).is_absolute()) return value.text();
   return fs::path(value.text()).lexically_relative(fs::absolute(folder).lexically_normal()).string();

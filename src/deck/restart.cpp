@@ -10,7 +10,7 @@ namespace perinox::deck {
 
 namespace {
 
-/// The one list of what may change on a restart; a key stands for everything below it.
+/// The one list of what may change on a restart. A key stands for everything below it.
 const std::vector<std::string> changeable = {
     "title",  "steps.end", "steps.count", "steps.adaptive",  "steps.max_cuts",    "steps.time_limit",
     "solver", "output",    "history",     "explicit.safety", "explicit.time_step"};
@@ -45,7 +45,7 @@ void compare(const Value& before, const Value& after, const std::string& path, s
   if (before.kind() != after.kind()) {
     changed();
   } else if (before.kind() == Value::Kind::scalar) {
-    // What an input file holds is compared, not where it is.
+    // The contents of input files are compared, not their places.
     if (before.is_file() && after.is_file()) return;
     if (before.text() != after.text() && !same_number(before.text(), after.text())) changed();
   } else if (before.kind() == Value::Kind::list) {

@@ -52,7 +52,7 @@ std::optional<long long> parse_integer(const std::string& text) { return parse_w
 std::string format_number(double value) {
   std::string text = fmt::format("{}", value);
   const std::size_t exponent = text.find('e');
-  // Readers of YAML 1.1 take 1e-08 for text, and 1.0e-08 for a number.
+  // Readers of YAML 1.1 take 1e-08 for text and 1.0e-08 for a number.
   if (exponent != std::string::npos && text.find('.') == std::string::npos) text.insert(exponent, ".0");
   return text;
 }

@@ -7,7 +7,7 @@
 namespace perinox::deck {
 namespace {
 
-/// A choice declared by its keys alone has one alternative for each of them.
+/// Completes choices: one that is declared by its keys alone has one alternative for each of them.
 void complete_choices(Key& key) {
   if (key.type == Type::choice && key.alternatives.empty() && key.reference.empty()) {
     for (const Key& inner : key.keys) key.alternatives.push_back({inner.name});

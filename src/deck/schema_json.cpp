@@ -1,4 +1,4 @@
-/// The schema as JSON Schema, draft 7, for editors that complete and check YAML while it is written.
+/// Writes the schema as JSON Schema, draft 7, for editors that complete and check YAML while it is written.
 #include <algorithm>
 
 #include "check.hpp"
@@ -85,7 +85,7 @@ class JsonWriter {
     return write_map(key.keys, key.alternatives);
   }
 
-  /// A word that is a number (dimension: 3) is written without quotes in YAML, so both are allowed.
+  /// Allows words with and without quotes: a word that is a number (dimension: 3) is written without quotes in YAML.
   static Json words_of(const Key& key) {
     Json words = Json::array();
     for (const std::string& word : key.words) {
@@ -123,7 +123,7 @@ class JsonWriter {
     return json.set("oneOf", groups);
   }
 
-  /// One alternative for each model, with `model` held to its name.
+  /// Writes one alternative for each model, with `model` held to its name.
   Json write_model_choice(const Key& key) const {
     Json models = Json::array();
     for (const ModelDeclaration& model : schema_.models()) {

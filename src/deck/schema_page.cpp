@@ -1,4 +1,4 @@
-/// docs/deck.md, generated: every key of the schema with type, unit, default, range and sentence.
+/// Generates docs/deck.md: every key of the schema with type, unit, default, range and sentence.
 #include <fmt/format.h>
 
 #include "check.hpp"

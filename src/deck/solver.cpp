@@ -1,4 +1,4 @@
-/// What the solver's keys mean together.
+/// Applies the rules that the solver's keys must follow together.
 #include <fmt/format.h>
 
 #include "convert.hpp"

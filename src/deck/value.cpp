@@ -12,7 +12,7 @@ struct Value::Data {
   Location location;
   bool given = false;
   std::string text;
-  std::string written;  ///< of an input file's name; else empty
+  std::string written;  ///< an input file's name as the deck has it; otherwise empty
   std::vector<Value> items;
   std::vector<std::pair<std::string, Value>> entries;  ///< those with a value
   std::vector<std::pair<std::string, Value>> absent;   ///< optional keys that were not written

@@ -1,5 +1,5 @@
 #pragma once
-/// The deck's word for each value of an enumeration, in the enumeration's order.
+/// The deck's words for the values of each enumeration, in the enumeration's order.
 #include <string>
 #include <vector>
 
@@ -22,7 +22,7 @@ inline const std::vector<std::string> forcing{"eisenstat-walker", "constant"};
 inline const std::vector<std::string> linear_method{"automatic", "cg", "gmres", "direct"};
 inline const std::vector<std::string> preconditioner{
     "automatic", "none", "two-level", "block-jacobi", "jacobi", "symmetric-gauss-seidel", "chebyshev", "ilu"};
-/// The number in the word's place times two, less one; 0: automatic.
+/// The number of steps is two times the word's place less one; 0 stands for automatic.
 inline const std::vector<std::string> chebyshev_steps{"automatic", "1", "3", "5"};
 inline const std::vector<std::string> component{"x", "y", "z"};
 inline const std::vector<std::string> load_kind{"displacement", "force",    "body_force",

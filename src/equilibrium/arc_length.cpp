@@ -30,21 +30,21 @@ bool changes(const loads::Boundary& boundary, std::size_t unknowns, double t) {
 
 PathPoint along(const PathPoint& origin, double factor, const PathPoint& direction) {
   PathPoint point = origin;
-  for (std::size_t u = 0; u < point.displacement.size(); ++u)
-    point.displacement[u] += factor * direction.displacement[u];
+  std::vector<double>& moved = point.displacement.change();
+  for (std::size_t u = 0; u < moved.size(); ++u) moved[u] += factor * direction.displacement.values()[u];
   point.t += factor * direction.t;
   return point;
 }
 }  // namespace
 
 ArcLength::ArcLength(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary,
-                     Newton& newton)
+                     Newton& newton, mechanics::Evaluation& evaluation)
     : deck_(deck),
       settings_(deck.arc_length),
       scene_(scene),
       boundary_(boundary),
       newton_(newton),
-      bordered_(deck, scene, boundary, newton.system()),
+      bordered_(deck, scene, boundary, newton.system(), evaluation),
       first_load_(deck.steps.end / deck.steps.count),
       start_load_(first_load_) {
   const Communicator& ranks = scene.body().communicator;
@@ -67,7 +67,8 @@ ArcLength::ArcLength(const deck::Deck& deck, const mechanics::Scene& scene, cons
 
 PathPoint ArcLength::committed_point(const mechanics::Committed& committed) const {
   const auto begin = committed.displacement().begin();
-  return {{begin, begin + static_cast<std::ptrdiff_t>(scene_.owned_unknowns())}, committed.t()};
+  const std::vector<double> owned(begin, begin + static_cast<std::ptrdiff_t>(scene_.owned_unknowns()));
+  return {medium::Displacement(owned), committed.t()};
 }
 
 NewtonResult ArcLength::predict(const mechanics::Committed& committed, const PathPoint& origin, PathPoint& guess) {
@@ -98,8 +99,8 @@ std::pair<double, ArcLength::End> ArcLength::passed(const PathPoint& origin, con
   consider(origin.t, to.t, deck_.steps.end, End::load);
   if (!until_) return first;
   const double goal = settings_.until->displacement, side = goal > 0 ? 1 : -1;
-  consider(side * until_->mean(origin.displacement), side * until_->mean(to.displacement), side * goal,
-           End::displacement);
+  consider(side * until_->mean(origin.displacement.values()), side * until_->mean(to.displacement.values()),
+           side * goal, End::displacement);
   return first;
 }
 
@@ -123,7 +124,8 @@ NewtonResult ArcLength::solve_at(double t, const mechanics::Committed& committed
   tried_ = t;
   NewtonResult result = newton_.solve(committed, t, step, {}, observer, trial, force);
   if (result.converged) {
-    std::copy_n(trial.displacement.begin(), point.displacement.size(), point.displacement.begin());
+    std::vector<double>& solved = point.displacement.change();
+    std::copy_n(trial.displacement.begin(), solved.size(), solved.begin());
     point.t = t;
   } else if (result.failure == linear::Failure::negative_curvature) {  // beyond a limit point
     point.t = t;

@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
-#include "convergence.hpp"
 #include "equilibrium_model.hpp"
+#include "newton_progress.hpp"
 #include "perinox/linear/linear_solve.hpp"
 
 namespace perinox::equilibrium {
-
-using Teuchos::RCP;
-using Teuchos::rcp;
 
 namespace {
 /// Halvings of a Newton step that does not lower the residual.
@@ -23,26 +21,25 @@ constexpr int most_halvings = 6;
 
 struct BorderedNewton::Parts {
   Parts(const deck::Deck& deck_, const mechanics::Scene& scene_, const loads::Boundary& boundary_,
-        linear::TangentSystem& system_)
+        linear::TangentSystem& system_, mechanics::Evaluation& evaluation)
       : deck(deck_),
         scene(scene_),
         boundary(boundary_),
         system(system_),
-        model(rcp(new EquilibriumModel(scene_, boundary_, system_, deck_.solver.newton))),
+        model(scene_, boundary_, system_, evaluation, deck_.solver.newton),
         unknowns(scene_.owned_unknowns()),
-        factory(linear::belos_factory(deck_.solver.linear, system_.symmetric())),
-        may_fall_back(deck_.solver.linear.method == deck::LinearMethod::automatic && system_.symmetric()),
+        solver(deck_.solver.linear, system_.symmetric()),
         external(unknowns),
         load_rate(unknowns, 0.0) {
+    if (deck_.solver.linear.method != deck::LinearMethod::automatic || !system_.symmetric()) return;
     deck::Linear gmres = deck_.solver.linear;
     gmres.method = deck::LinearMethod::gmres;
-    if (may_fall_back) indefinite_factory = linear::belos_factory(gmres, false);
+    indefinite_solver.emplace(gmres, false);
   }
 
   const ForceBalance& evaluate(const mechanics::Committed& committed, const PathPoint& at);
-  linear::LinearOutcome linearise(const mechanics::Committed& committed, const PathPoint& at);
-  /// left = K^-1 right on the free unknowns, 0 on the prescribed ones.
-  linear::LinearOutcome solve_tangent(const std::vector<double>& right, double tolerance, std::vector<double>& left);
+  /// left = K^-1 right on the free unknowns, 0 on the prescribed ones, with what `right` has on the free ones.
+  linear::LinearOutcome solve_tangent(std::vector<double> right, double tolerance, std::vector<double>& left);
   /// Derivatives with t of the external force and of the prescribed displacements at t.
   std::string differentiate(double t, std::vector<double>& force, std::vector<double>& displacement) const;
   /// load_rate = b at the point last linearised at.
@@ -54,73 +51,48 @@ struct BorderedNewton::Parts {
   /// Returns the share; 0 if none does.
   double advance(const mechanics::Committed& committed, const PathConstraint& constraint, const PathPoint& change,
                  PathPoint& at);
-  double dot(const std::vector<double>& a, const std::vector<double>& b) const;
 
   const deck::Deck& deck;
   const mechanics::Scene& scene;
   const loads::Boundary& boundary;
   linear::TangentSystem& system;
-  RCP<EquilibriumModel> model;
+  EquilibriumModel model;
   std::size_t unknowns;
-  RCP<linear::LinearSolverFactory> factory, indefinite_factory;
-  bool may_fall_back;
-  bool indefinite = false;  ///< conjugate gradients met negative curvature
-  bool stiffening = true;   ///< more load moves its points along, q.b > 0
+  linear::LinearSolver solver;
+  std::optional<linear::LinearSolver> indefinite_solver;  ///< where it may stand in for conjugate gradients
+  bool indefinite = false;                                ///< conjugate gradients met negative curvature
+  bool stiffening = true;                                 ///< more load moves its points along, q.b > 0
   std::vector<double> external;
   std::vector<double> load_rate;  ///< the last b: the next one starts from it
 };
 
 BorderedNewton::BorderedNewton(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary,
-                               linear::TangentSystem& system)
-    : parts_(std::make_unique<Parts>(deck, scene, boundary, system)) {}
+                               linear::TangentSystem& system, mechanics::Evaluation& evaluation)
+    : parts_(std::make_unique<Parts>(deck, scene, boundary, system, evaluation)) {}
 BorderedNewton::~BorderedNewton() = default;
 bool BorderedNewton::indefinite() const { return parts_->indefinite; }
 
-double BorderedNewton::Parts::dot(const std::vector<double>& a, const std::vector<double>& b) const {
-  double sum = 0;
-  for (std::size_t u = 0; u < a.size(); ++u) sum += a[u] * b[u];
-  return scene.body().communicator.sum(sum);
-}
-
 const ForceBalance& BorderedNewton::Parts::evaluate(const mechanics::Committed& committed, const PathPoint& at) {
   boundary.external_force(at.t, external.data());
-  model->set_step(committed, external, at.t);
-  return model->evaluate(at.displacement.data());
+  model.set_step(committed, external, at.t);
+  return model.evaluate(at.displacement.at());
 }
 
-linear::LinearOutcome BorderedNewton::Parts::linearise(const mechanics::Committed& committed, const PathPoint& at) {
-  linear::LinearOutcome outcome;
-  try {
-    system.update(committed, at.displacement.data());
-    system.update_preconditioner();
-    outcome.converged = true;
-  } catch (const std::exception& failure) {  // a matrix that cannot be factorised
-    outcome.reason = linear::sentence_of(failure);
-  }
-  return outcome;
-}
-
-linear::LinearOutcome BorderedNewton::Parts::solve_tangent(const std::vector<double>& right, double tolerance,
+linear::LinearOutcome BorderedNewton::Parts::solve_tangent(std::vector<double> right, double tolerance,
                                                            std::vector<double>& left) {
-  auto from = rcp(new tpetra::Vector(system.map())), to = rcp(new tpetra::Vector(system.map()));
-  {
-    const auto values = from->getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (std::size_t u = 0; u < unknowns; ++u) values(u, 0) = boundary.prescribed()[u] ? 0 : right[u];
-  }
-  const auto with = [&](const linear::LinearSolverFactory& solver) {
-    return linear::solve_linear(solver, model->create_W_op(), model->create_W_prec(), tolerance, from, to);
-  };
+  for (std::size_t u = 0; u < unknowns; ++u)
+    if (boundary.prescribed()[u]) right[u] = 0;
   linear::LinearOutcome outcome;
-  if (!indefinite) outcome = with(*factory);
-  if (!outcome.converged && may_fall_back) {
+  if (!indefinite) outcome = solver.solve(system, right, tolerance, left);
+  if (!outcome.converged && indefinite_solver) {
     indefinite = true;
     const int wasted = outcome.iterations;
-    outcome = with(*indefinite_factory);
+    outcome = indefinite_solver->solve(system, right, tolerance, left);
     outcome.iterations += wasted;
   }
   left.resize(unknowns);
-  const auto values = to->getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (std::size_t u = 0; u < unknowns; ++u) left[u] = boundary.prescribed()[u] ? 0 : values(u, 0);
+  for (std::size_t u = 0; u < unknowns; ++u)
+    if (boundary.prescribed()[u]) left[u] = 0;
   return outcome;
 }
 
@@ -173,7 +145,7 @@ linear::LinearOutcome BorderedNewton::Parts::find_rate(double t, double toleranc
   };
   const std::vector<double> right = left_over(start);
   std::vector<double> rest = right;
-  const double size = std::sqrt(dot(right, right));
+  const double size = std::sqrt(model.dot(right, right));
   if (size == 0) {
     outcome.reason = fmt::format("the loads do not change with t at t = {:g}", t);
     return outcome;
@@ -183,30 +155,28 @@ linear::LinearOutcome BorderedNewton::Parts::find_rate(double t, double toleranc
   for (std::size_t u = 0; u < unknowns; ++u)
     if (!boundary.prescribed()[u]) last[u] = load_rate[u];
   std::vector<double> less = left_over(last);
-  if (dot(less, less) < dot(rest, rest)) {
+  if (model.dot(less, less) < model.dot(rest, rest)) {
     rest = std::move(less);
     start = std::move(last);
   }
   load_rate = std::move(start);
-  const double share = std::sqrt(dot(rest, rest)) / size;
+  const double share = std::sqrt(model.dot(rest, rest)) / size;
   outcome.converged = true;
   if (share > tolerance) {
     std::vector<double> change;
     outcome = solve_tangent(rest, tolerance / share, change);
     for (std::size_t u = 0; u < unknowns; ++u) load_rate[u] += change[u];
   }
-  stiffening = dot(right, load_rate) > 0;
+  stiffening = model.dot(right, load_rate) > 0;
   return outcome;
 }
 
 NewtonResult BorderedNewton::rate(const mechanics::Committed& committed, PathPoint& rate) {
   Parts& p = *parts_;
-  PathPoint at{
-      {committed.displacement().begin(), committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.unknowns)},
-      committed.t()};
-  linear::LinearOutcome outcome = p.linearise(committed, at);
-  if (outcome.converged) outcome = p.find_rate(at.t, p.deck.solver.linear.tolerance);
-  rate = {p.load_rate, 1};
+  p.model.set_step(committed, p.external, committed.t());
+  linear::LinearOutcome outcome = p.model.linearise(committed.at());
+  if (outcome.converged) outcome = p.find_rate(committed.t(), p.deck.solver.linear.tolerance);
+  rate = {medium::Displacement(p.load_rate), 1};
   NewtonResult result;
   result.converged = outcome.converged;
   result.reason = outcome.reason;
@@ -216,20 +186,18 @@ NewtonResult BorderedNewton::rate(const mechanics::Committed& committed, PathPoi
 
 double BorderedNewton::relative_residual(const mechanics::Committed& committed, const PathPoint& point) {
   const ForceBalance& balance = parts_->evaluate(committed, point);
-  return balance.finite ? parts_->model->relative_residual() : std::numeric_limits<double>::infinity();
+  return balance.finite ? parts_->model.relative_residual() : std::numeric_limits<double>::infinity();
 }
 
 linear::LinearOutcome BorderedNewton::Parts::direction(const PathPoint& at, const PathConstraint& constraint,
                                                        double forcing, PathPoint& change) {
   const linear::LinearOutcome rate = find_rate(at.t, std::min(forcing, deck.solver.linear.tolerance));
   if (!rate.converged) return rate;
-  std::vector<double> residual(unknowns);
-  for (std::size_t u = 0; u < unknowns; ++u) residual[u] = model->force()[u] + external[u];
   change.t = 0;
-  linear::LinearOutcome outcome = solve_tangent(residual, forcing, change.displacement);
+  linear::LinearOutcome outcome = solve_tangent(model.out_of_balance(), forcing, change.displacement.change());
   outcome.iterations += rate.iterations;
   if (!outcome.converged) return outcome;
-  const PathPoint along{load_rate, 1};
+  const PathPoint along{medium::Displacement(load_rate), 1};
   const double slope = constraint.slope(at, along);
   change.t = -(constraint.value(at) + constraint.slope(at, change)) / slope;
   if (!std::isfinite(change.t)) {
@@ -237,26 +205,28 @@ linear::LinearOutcome BorderedNewton::Parts::direction(const PathPoint& at, cons
     outcome.reason = "the constraint of the step does not change along the path";
     return outcome;
   }
-  for (std::size_t u = 0; u < unknowns; ++u) change.displacement[u] += change.t * load_rate[u];
+  std::vector<double>& moved = change.displacement.change();
+  for (std::size_t u = 0; u < unknowns; ++u) moved[u] += change.t * load_rate[u];
   return outcome;
 }
 
 double BorderedNewton::Parts::advance(const mechanics::Committed& committed, const PathConstraint& constraint,
                                       const PathPoint& change, PathPoint& at) {
   const PathPoint from = at;
-  const double before = model->balance().residual;
+  const double before = model.balance().residual;
   // While the constraint is still to be met the residual may well have to grow.
   const bool search = deck.solver.newton.line_search == deck::LineSearch::backtrack &&
                       std::abs(constraint.value(from)) <= 10 * constraint.tolerance();
   double length = 1;
   for (int halving = 0; halving <= most_halvings; ++halving, length /= 2) {
     at.t = from.t + length * change.t;
+    std::vector<double>& to = at.displacement.change();
     for (std::size_t u = 0; u < unknowns; ++u)
-      at.displacement[u] = from.displacement[u] + length * change.displacement[u];
-    boundary.impose(at.t, at.displacement.data());
+      to[u] = from.displacement.values()[u] + length * change.displacement.values()[u];
+    boundary.impose(at.t, to.data());
     const ForceBalance& balance = evaluate(committed, at);
     if (!search || (balance.finite && balance.residual <= (1 - 1e-4 * length) * before) ||
-        balance.residual <= model->rounding_floor())
+        balance.residual <= model.rounding_floor())
       return length;
   }
   return 0;
@@ -268,35 +238,32 @@ NewtonResult BorderedNewton::solve(const mechanics::Committed& committed, PathPo
   Parts& p = *parts_;
   if (p.stiffening) p.indefinite = false;  // conjugate gradients are worth another try
   NewtonResult result;
-  p.boundary.impose(point.t, point.displacement.data());
+  p.boundary.impose(point.t, point.displacement.change().data());
   p.evaluate(committed, point);
+  NewtonProgress progress(p.deck.solver, observer);
   NewtonIteration row;
   row.step = step;
-  double before = 0;
   while (true) {
-    const ForceBalance& balance = p.model->balance();
+    const ForceBalance& balance = p.model.balance();
     row.t = point.t;
     row.residual = balance.residual;
-    row.relative_residual = p.model->relative_residual();
+    row.relative_residual = p.model.relative_residual();
     result.newton_iterations = row.iteration;
-    observer.newton_iteration(row);
+    progress.add(row, p.model.rounding_floor());
     if (!balance.finite) {
-      result.reason = p.model->not_finite();
+      result.reason = p.model.not_finite();
       return result;
     }
-    if (std::abs(constraint.value(point)) <= constraint.tolerance() &&
-        converged(p.deck.solver.newton, row, before, p.model->rounding_floor()))
-      break;
+    if (std::abs(constraint.value(point)) <= constraint.tolerance() && progress.converged()) break;
     if (row.iteration >= most_iterations) {
       result.reason = fmt::format("Newton did not converge in {} iterations (relative residual {:.2e})", row.iteration,
                                   row.relative_residual);
       return result;
     }
 
-    row.forcing = next_forcing(p.deck.solver, row, before);
-    before = balance.residual;
+    row.forcing = progress.forcing();
     PathPoint change;
-    linear::LinearOutcome outcome = p.linearise(committed, point);
+    linear::LinearOutcome outcome = p.model.linearise(point.displacement.at());
     if (outcome.converged) outcome = p.direction(point, constraint, row.forcing, change);
     result.linear_iterations += outcome.iterations;
     if (!outcome.converged) {
@@ -312,16 +279,13 @@ NewtonResult BorderedNewton::solve(const mechanics::Committed& committed, PathPo
     }
     ++row.iteration;
     row.linear_iterations = outcome.iterations;
-    row.update = row.step_length * std::sqrt(p.dot(change.displacement, change.displacement));
-    double square = 0;
-    for (std::size_t u = 0; u < p.unknowns; ++u)
-      square += std::pow(point.displacement[u] - committed.displacement()[u], 2);
-    square = p.scene.body().communicator.sum(square);
-    row.relative_update = square > 0 ? row.update / std::sqrt(square) : 0;
+    row.update = row.step_length * std::sqrt(p.model.dot(change.displacement.values(), change.displacement.values()));
+    const double increment = p.model.away_from_start(point.displacement.values());
+    row.relative_update = increment > 0 ? row.update / increment : 0;
   }
   result.converged = true;
-  trial = std::move(p.model->trial());
-  force = p.model->force();
+  trial = std::move(p.model.trial());
+  force = p.model.force();
   return result;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "newton_progress.hpp"
+
 namespace perinox::equilibrium {
 
 namespace {
@@ -30,63 +32,75 @@ double EnergyDescent::potential(const std::vector<double>& external) const {
   const mechanics::Trial& trial = model_.trial();
   double sum = trial.stored + trial.dissipated;
   for (std::size_t u = 0; u < external.size(); ++u)
-    if (!boundary_.prescribed()[u]) sum -= external[u] * trial.displacement[u];
-  std::vector<double> sums{sum};
-  model_.sum(sums);
-  return sums[0];
+    if (!model_.prescribed(u)) sum -= external[u] * trial.displacement[u];
+  return model_.sum(sum);
 }
 
-NewtonResult EnergyDescent::run(const mechanics::Committed& committed, const std::vector<double>& external, double t,
-                                int step, Observer& observer, std::vector<double>& x) {
+linear::LinearOutcome EnergyDescent::find_direction(double& shift, std::vector<double>& change) {
+  const std::vector<double> right = model_.out_of_balance();
+  int iterations = 0;
+  for (;;) {
+    model_.system().shift(shift);
+    linear::LinearOutcome outcome =
+        linear_.solve(model_.system(), right, std::min(solver_.linear.tolerance, 1e-3), change);
+    iterations += outcome.iterations;
+    outcome.iterations = iterations;
+    for (std::size_t u = 0; u < change.size(); ++u)
+      if (model_.prescribed(u)) change[u] = 0;
+    if (outcome.converged || shift >= largest_shift) return outcome;
+    shift = std::max(10 * shift, smallest_shift);
+  }
+}
+
+double EnergyDescent::step_along(const std::vector<double>& external, const std::vector<double>& change,
+                                 medium::Displacement& here, ForceBalance& balance, double& energy) {
+  const double slope = model_.dot(change, model_.out_of_balance());
+  const std::vector<double> from = here.values();
+  double length = 1;
+  for (; length >= shortest; length *= 0.5) {
+    std::vector<double>& to = here.change();
+    for (std::size_t u = 0; u < to.size(); ++u) to[u] = from[u] + length * change[u];
+    const ForceBalance now = model_.evaluate(here.at());
+    if (!now.finite) continue;
+    const double lower = potential(external);
+    const bool hidden = std::abs(slope) * length <= rounding * std::abs(energy);
+    if (hidden ? now.residual < balance.residual : lower <= energy - sufficient * length * slope) {
+      balance = now;
+      energy = lower;
+      break;
+    }
+  }
+  return length;
+}
+
+NewtonResult EnergyDescent::run(const std::vector<double>& external, int step, Observer& observer,
+                                std::vector<double>& x) {
   NewtonResult result;
-  const Shifted shifted(system_);
-  const std::size_t unknowns = x.size();
-  const auto right = Teuchos::rcp(new tpetra::Vector(system_.map()));
-  const auto left = Teuchos::rcp(new tpetra::Vector(system_.map()));
-  std::vector<double> best = x, change(unknowns);
-  double shift = 0;
-  ForceBalance balance = model_.evaluate(x.data());
+  const Shifted shifted(model_.system());
+  NewtonProgress progress(solver_, observer);
+  medium::Displacement here(x);
+  std::vector<double> change(x.size());
+  double shift = 0, update = 0;
+  ForceBalance balance = model_.evaluate(here.at());
   if (!balance.finite) {
     result.failure = linear::Failure::not_finite;
     result.reason = model_.not_finite();
     return result;
   }
   double energy = potential(external);
-  double update = 0;
   int iterations = 0;
   for (int iteration = 0;; ++iteration) {
-    NewtonIteration row;
-    row.step = step;
-    row.t = t;
-    row.iteration = iteration;
-    row.residual = balance.residual;
-    row.relative_residual = model_.relative_residual();
-    row.update = update;
-    row.linear_iterations = iterations;
-    row.forcing = solver_.linear.tolerance;
-    observer.newton_iteration(row);
+    const NewtonIteration row{step,   model_.t(), iteration,  balance.residual,        model_.relative_residual(),
+                              update, 0,          iterations, solver_.linear.tolerance};
+    progress.add(row, model_.rounding_floor());
     result.newton_iterations = iteration;
     if (iteration >= most_iterations || result.linear_iterations >= most_linear_iterations) break;
 
-    system_.update(committed, x.data());
-    system_.update_preconditioner();
+    linear::LinearOutcome outcome = model_.linearise(here.at());
     const bool in_balance =
         row.relative_residual <= solver_.newton.tolerance || balance.residual <= model_.rounding_floor();
-    {
-      const auto values = right->getLocalViewHost(Tpetra::Access::OverwriteAll);
-      for (std::size_t u = 0; u < unknowns; ++u)
-        values(u, 0) = boundary_.prescribed()[u] ? 0 : model_.force()[u] + external[u];
-    }
-    iterations = 0;
-    linear::LinearOutcome outcome;
-    for (;;) {
-      system_.shift(shift);
-      outcome = linear::solve_linear(factory_, model_.create_W_op(), model_.create_W_prec(),
-                                     std::min(solver_.linear.tolerance, 1e-3), right, left);
-      iterations += outcome.iterations;
-      if (outcome.converged || shift >= largest_shift) break;
-      shift = std::max(10 * shift, smallest_shift);
-    }
+    if (outcome.converged) outcome = find_direction(shift, change);
+    iterations = outcome.iterations;
     result.linear_iterations += iterations;
     if (!outcome.converged) {
       result.failure = outcome.failure;
@@ -95,51 +109,26 @@ NewtonResult EnergyDescent::run(const mechanics::Committed& committed, const std
     }
     if (in_balance && shift == 0) {  // and conjugate gradients have met no negative curvature
       result.converged = true;
+      x = here.values();
       return result;
     }
-    std::vector<double> sums{0, 0};
-    {
-      const auto values = left->getLocalViewHost(Tpetra::Access::ReadOnly);
-      const auto rests = right->getLocalViewHost(Tpetra::Access::ReadOnly);
-      for (std::size_t u = 0; u < unknowns; ++u) {
-        change[u] = boundary_.prescribed()[u] ? 0 : values(u, 0);
-        sums[0] += change[u] * rests(u, 0);
-        sums[1] += change[u] * change[u];
-      }
-    }
-    model_.sum(sums);
-    double length = 1;
-    for (; length >= shortest; length *= 0.5) {
-      for (std::size_t u = 0; u < unknowns; ++u) best[u] = x[u] + length * change[u];
-      const ForceBalance now = model_.evaluate(best.data());
-      if (!now.finite) continue;
-      const double lower = potential(external);
-      const bool hidden = std::abs(sums[0]) * length <= rounding * std::abs(energy);
-      if (hidden ? now.residual < balance.residual : lower <= energy - sufficient * length * sums[0]) {
-        balance = now;
-        energy = lower;
-        break;
-      }
-    }
+    const double square = model_.dot(change, change);
+    const std::vector<double> from = here.values();
+    const double length = step_along(external, change, here, balance, energy);
     if (length < shortest) {
       if (shift >= largest_shift) break;
       shift = std::max(100 * shift, smallest_shift);
-      balance = model_.evaluate(x.data());
+      here.change() = from;
+      balance = model_.evaluate(here.at());
       continue;
     }
-    x = best;
-    double far = 0;
-    for (std::size_t u = 0; u < unknowns; ++u) far += std::pow(x[u] - committed.displacement()[u], 2);
-    std::vector<double> square{far};
-    model_.sum(square);
-    if (!(std::sqrt(square[0]) <= reach_)) {
+    if (!(model_.away_from_start(here.values()) <= model_.reach())) {
       result.failure = linear::Failure::no_progress;
       result.reason =
-          "going down in energy the body runs away, farther than it is large: the load is beyond what it "
-          "carries";
+          "going down in energy the body runs away, farther than it is large: the load is beyond what it carries";
       return result;
     }
-    update = length * std::sqrt(sums[1]);
+    update = length * std::sqrt(square);
     shift = length < 1 ? 4 * shift : shift <= smallest_shift ? 0 : shift / 10;
   }
   result.failure = linear::Failure::no_progress;

@@ -2,7 +2,6 @@
 #include <vector>
 
 #include "equilibrium_model.hpp"
-#include "perinox/linear/linear_solve.hpp"
 
 namespace perinox::equilibrium {
 
@@ -13,27 +12,29 @@ namespace perinox::equilibrium {
 /// Needs a symmetric tangent that is not a matrix.
 class EnergyDescent {
  public:
-  /// reach: displacement (of all particles, root of the sum of squares) beyond which the body is said to run away:
-  /// under a load beyond what it carries the energy has no minimum.
-  EnergyDescent(const deck::Solver& solver, const loads::Boundary& boundary, linear::TangentSystem& system,
-                EquilibriumModel& model, const linear::LinearSolverFactory& factory, double reach)
-      : solver_(solver), boundary_(boundary), system_(system), model_(model), factory_(factory), reach_(reach) {}
+  /// Everything is kept by reference.
+  EnergyDescent(const deck::Solver& solver, EquilibriumModel& model, const linear::LinearSolver& linear)
+      : solver_(solver), model_(model), linear_(linear) {}
 
   /// From displacement x [owned * dimension], prescribed values imposed, on the step that the model has been given;
-  /// external: of that step. Converged: x is a stable equilibrium and the model was evaluated there last. Collective.
-  NewtonResult run(const mechanics::Committed& committed, const std::vector<double>& external, double t, int step,
-                   Observer& observer, std::vector<double>& x);
+  /// external: of that step. Converged: x is a stable equilibrium and the model was evaluated there last. A body that
+  /// moves farther than it is large is said to run away: under a load beyond what it carries the energy has no minimum.
+  /// Collective.
+  NewtonResult run(const std::vector<double>& external, int step, Observer& observer, std::vector<double>& x);
 
  private:
   /// Stored + dissipated energy of the step - external force . displacement at the last evaluation, over all ranks.
   double potential(const std::vector<double>& external) const;
+  /// Solves for Newton's direction with the least shift that conjugate gradients allow, from `shift` on.
+  linear::LinearOutcome find_direction(double& shift, std::vector<double>& change);
+  /// Moves `here` along the change by all of it, or the half, quarter, ... that lowers the energy, and evaluates there.
+  /// Returns the share, one below `shortest` where none does. balance, energy: of `here`, brought up to date.
+  double step_along(const std::vector<double>& external, const std::vector<double>& change, medium::Displacement& here,
+                    ForceBalance& balance, double& energy);
 
   const deck::Solver& solver_;
-  const loads::Boundary& boundary_;
-  linear::TangentSystem& system_;
   EquilibriumModel& model_;
-  const linear::LinearSolverFactory& factory_;
-  double reach_;
+  const linear::LinearSolver& linear_;
 };
 
 }  // namespace perinox::equilibrium

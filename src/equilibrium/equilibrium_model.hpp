@@ -1,34 +1,47 @@
 #pragma once
-/// The force balance as a Thyra model for NOX: F(u) = -(internal + external force) on free unknowns, zero on prescribed
-/// ones; its Jacobian is the tangent. A heavy header: only the Newton room's own translation units include it.
-#include <Thyra_DefaultPreconditioner.hpp>
-#include <Thyra_StateFuncModelEvaluatorBase.hpp>
-#include <Thyra_TpetraThyraWrappers.hpp>
-#include <Tpetra_Vector.hpp>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "perinox/equilibrium/newton.hpp"
+#include "perinox/linear/linear_solve.hpp"
+#include "perinox/mechanics/evaluation.hpp"
 
 namespace perinox::equilibrium {
 
-class EquilibriumModel : public Thyra::StateFuncModelEvaluatorBase<double> {
+/// The force balance of one scene in one step: internal plus external force on the free unknowns, its tangent, and what
+/// a residual is judged against. Plain, bordered and descending Newton iterations share it.
+class EquilibriumModel {
  public:
-  /// settings: of Newton's method; alive as long as the model.
+  /// Everything is kept by reference. settings: of Newton's method.
   EquilibriumModel(const mechanics::Scene& scene, const loads::Boundary& boundary, linear::TangentSystem& system,
-                   const deck::Newton& settings);
+                   mechanics::Evaluation& evaluation, const deck::Newton& settings);
 
   /// The step to be solved: committed state and external force [owned * dimension] stay alive until the next call.
   void set_step(const mechanics::Committed& committed, const std::vector<double>& external, double t);
 
-  /// Internal force and balance at displacement [owned * dimension]; the trial state is kept.
-  const ForceBalance& evaluate(const double* displacement) const;
+  /// Says that a displacement is that of the committed state, so that it is not evaluated a second time in this step.
+  void take_for_committed(const medium::At& at) { committed_too_ = at.version; }
+
+  /// Internal force and balance at a displacement [owned * dimension]; the trial state is kept. Collective.
+  const ForceBalance& evaluate(const medium::At& asked);
   const ForceBalance& balance() const { return balance_; }
   const std::vector<double>& force() const { return force_; }
   mechanics::Trial& trial() { return trial_; }
+  /// Out-of-balance force of the last evaluation on the free unknowns, 0 on the prescribed ones: [owned * dimension].
+  std::vector<double> out_of_balance() const;
+  /// Linearises at a displacement and brings the preconditioner there. An outcome that has not converged says that a
+  /// matrix could not be factorised. Collective.
+  linear::LinearOutcome linearise(const medium::At& at);
+
   /// Names the first particle with a force that is not finite, on any rank. Collective.
   std::string not_finite() const;
-  /// Element-wise sums over the ranks, in place.
-  void sum(std::vector<double>& values) const { scene_.body().communicator.sum(values); }
+  /// Scalar product over all ranks: [owned * dimension]. Collective.
+  double dot(const std::vector<double>& a, const std::vector<double>& b) const;
+  /// Sum over all ranks. Collective.
+  double sum(double mine) const { return scene_.body().communicator.sum(mine); }
+  /// 2-norm of what x is away from the displacement that the step starts from: length. Collective.
+  double away_from_start(const std::vector<double>& x) const;
   /// Residual below which nothing but rounding is left: force. The displacement that it goes with is the larger one of
   /// the step's start and of the point last evaluated: on the way to no load at all the reactions vanish with the
   /// displacement, and rounding is that of the way. A displacement larger than the body does not raise it: a body that
@@ -40,34 +53,31 @@ class EquilibriumModel : public Thyra::StateFuncModelEvaluatorBase<double> {
   /// 2-norm of a displacement of the body's own size; a step beyond it makes no sense.
   double reach() const { return reach_; }
 
-  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_x_space() const override { return space_; }
-  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_f_space() const override { return space_; }
-  Thyra::ModelEvaluatorBase::InArgs<double> getNominalValues() const override { return createInArgs(); }
-  Thyra::ModelEvaluatorBase::InArgs<double> createInArgs() const override;
-  Teuchos::RCP<Thyra::LinearOpBase<double>> create_W_op() const override;
-  Teuchos::RCP<Thyra::PreconditionerBase<double>> create_W_prec() const override;
+  bool prescribed(std::size_t u) const { return boundary_.prescribed()[u] != 0; }
+  linear::TangentSystem& system() { return system_; }
+  const mechanics::Committed& committed() const { return *committed_; }
+  double t() const { return t_; }
 
  private:
-  Thyra::ModelEvaluatorBase::OutArgs<double> createOutArgsImpl() const override;
-  void evalModelImpl(const Thyra::ModelEvaluatorBase::InArgs<double>& in,
-                     const Thyra::ModelEvaluatorBase::OutArgs<double>& out) const override;
   bool loose(std::size_t u) const;
+  medium::At known(const medium::At& at) const { return at.version == committed_too_ ? committed_->at() : at; }
 
   const mechanics::Scene& scene_;
   const loads::Boundary& boundary_;
   linear::TangentSystem& system_;
+  mechanics::Evaluation& evaluation_;
   const deck::Newton& settings_;
   double start_ = 0;  ///< 2-norm of the displacement that the step starts from
   double reach_;      ///< 2-norm of a displacement of the body's own size
-  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> space_;
   const mechanics::Committed* committed_ = nullptr;
   const std::vector<double>* external_ = nullptr;
   double t_ = 0;
-  // The last evaluation. Thyra's evalModel is const; NOX, the status test and the predictor share its result.
-  mutable bool evaluated_ = false;
-  mutable mechanics::Trial trial_;
-  mutable std::vector<double> force_;
-  mutable ForceBalance balance_;
+  // The last evaluation.
+  std::uint64_t version_ = 0;        ///< of its displacement; 0: there is none in this step
+  std::uint64_t committed_too_ = 0;  ///< of a displacement that is the committed one; 0: none is
+  mechanics::Trial trial_;
+  std::vector<double> force_;
+  ForceBalance balance_;
 };
 
 }  // namespace perinox::equilibrium

@@ -1,9 +1,7 @@
 #include "natural_line_search.hpp"
 
 #include <NOX_Solver_Generic.H>
-#include <NOX_Thyra.H>
 
-#include <Thyra_TpetraThyraWrappers.hpp>
 #include <cmath>
 #include <limits>
 
@@ -33,15 +31,11 @@ bool NaturalLineSearch::compute(NOX::Abstract::Group& trial, double& step, const
 }
 
 double NaturalLineSearch::next_correction(const NOX::Abstract::Group& trial) {
-  using Converter = Thyra::TpetraOperatorVectorExtraction<double, LocalIndex, GlobalId>;
-  const auto& residual = dynamic_cast<const NOX::Thyra::Vector&>(trial.getF());
-  const auto from = Converter::getConstTpetraVector(Teuchos::rcpFromRef(residual.getThyraVector()));
-  const auto right = Teuchos::rcp(new tpetra::Vector(*from, Teuchos::Copy));
-  const auto left = Teuchos::rcp(new tpetra::Vector(from->getMap()));
-  const linear::LinearOutcome outcome =
-      linear::solve_linear(factory_, model_.create_W_op(), model_.create_W_prec(), correction_tolerance, right, left);
+  const std::vector<double> right = dynamic_cast<const EquilibriumGroup&>(trial).f_values();
+  std::vector<double> left;
+  const linear::LinearOutcome outcome = solve_.linear.solve(solve_.model.system(), right, correction_tolerance, left);
   linear_iterations_ += outcome.iterations;
-  return outcome.converged ? left->norm2() : std::numeric_limits<double>::infinity();
+  return outcome.converged ? std::sqrt(solve_.model.dot(left, left)) : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace perinox::equilibrium

@@ -2,8 +2,7 @@
 #include <NOX_LineSearch_Generic.H>
 #include <NOX_LineSearch_UserDefinedFactory.H>
 
-#include "equilibrium_model.hpp"
-#include "perinox/linear/linear_solve.hpp"
+#include "equilibrium_group.hpp"
 
 namespace perinox::equilibrium {
 
@@ -15,8 +14,7 @@ namespace perinox::equilibrium {
 class NaturalLineSearch : public NOX::LineSearch::Generic {
  public:
   /// reach: no step is longer (2-norm of the displacement).
-  NaturalLineSearch(const EquilibriumModel& model, const linear::LinearSolverFactory& factory, double reach)
-      : model_(model), factory_(factory), reach_(reach) {}
+  NaturalLineSearch(EquilibriumSolve& solve, double reach) : solve_(solve), reach_(reach) {}
 
   bool compute(NOX::Abstract::Group& trial, double& step, const NOX::Abstract::Vector& direction,
                const NOX::Solver::Generic& solver) override;
@@ -27,8 +25,7 @@ class NaturalLineSearch : public NOX::LineSearch::Generic {
   /// 2-norm of the next correction over the free unknowns; infinite where the linear solve fails.
   double next_correction(const NOX::Abstract::Group& trial);
 
-  const EquilibriumModel& model_;
-  const linear::LinearSolverFactory& factory_;
+  EquilibriumSolve& solve_;
   double reach_;
   int linear_iterations_ = 0;
 };

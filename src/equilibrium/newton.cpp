@@ -1,16 +1,14 @@
 #include "perinox/equilibrium/newton.hpp"
 
 #include <NOX.H>
-#include <NOX_Thyra.H>
 #include <fmt/format.h>
 
-#include <NOX_SolverStats.hpp>
 #include <Teuchos_oblackholestream.hpp>
 #include <algorithm>
 #include <cmath>
 
 #include "energy_descent.hpp"
-#include "equilibrium_model.hpp"
+#include "equilibrium_group.hpp"
 #include "equilibrium_test.hpp"
 #include "natural_line_search.hpp"
 #include "perinox/linear/linear_solve.hpp"
@@ -29,13 +27,14 @@ constexpr GlobalId most_direct_plane = 60000, most_direct_solid = 1000;
 }  // namespace
 
 struct Newton::Parts {
-  Parts(const deck::Solver& solver_, const mechanics::Scene& scene_, const loads::Boundary& boundary_)
+  Parts(const deck::Solver& solver_, const mechanics::Scene& scene_, const loads::Boundary& boundary_,
+        const std::shared_ptr<mechanics::Evaluation>& evaluation)
       : solver(solver_),
         scene(scene_),
         boundary(boundary_),
-        system(scene_, boundary_.prescribed(), solver_),
-        model(rcp(new EquilibriumModel(scene_, boundary_, system, solver.newton))),
-        factory(linear::belos_factory(solver_.linear, system.symmetric())),
+        system(scene_, boundary_.prescribed(), solver_, evaluation),
+        model(scene_, boundary_, system, *evaluation, solver.newton),
+        linear_solver(solver_.linear, system.symmetric()),
         external(scene_.owned_unknowns()) {}
 
   /// False if a load or a prescribed displacement is infinite or not a number, on any rank. Collective.
@@ -44,21 +43,24 @@ struct Newton::Parts {
   /// the first guess of the step, added to x.
   linear::LinearOutcome predict(const mechanics::Committed& committed, std::vector<double>& x);
   RCP<Teuchos::ParameterList> nox_parameters(const RCP<NaturalLineSearch>& natural) const;
+  /// NOX's iteration from a displacement. On convergence the model was evaluated at the solution last.
+  NewtonResult iterate(const medium::Displacement& start, int step, bool linear_limit_fails, Observer& observer);
 
   deck::Solver solver;
   const mechanics::Scene& scene;
   const loads::Boundary& boundary;
   linear::TangentSystem system;
-  RCP<EquilibriumModel> model;
-  RCP<linear::LinearSolverFactory> factory;
+  EquilibriumModel model;
+  linear::LinearSolver linear_solver;
   std::vector<double> external;
   double iterations_when_made = 0;  ///< linear iterations a solve in the first step
-  double last_iterations = 0;       ///< the same, in the last step
+  double last_iterations = 0;       ///< linear iterations a solve in the last step
   int most_iterations = 0;          ///< of one linear solve, in the last step
 };
 
-Newton::Newton(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary)
-    : deck_(deck), scene_(scene), boundary_(boundary) {
+Newton::Newton(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary,
+               std::shared_ptr<mechanics::Evaluation> evaluation)
+    : deck_(deck), scene_(scene), boundary_(boundary), evaluation_(std::move(evaluation)) {
   make_parts();
 }
 Newton::~Newton() = default;
@@ -69,7 +71,7 @@ void Newton::make_parts() {
     solver.tangent = deck::TangentKind::assembled;
     solver.linear.method = deck::LinearMethod::direct;
   }
-  parts_ = std::make_unique<Parts>(solver, scene_, boundary_);
+  parts_ = std::make_unique<Parts>(solver, scene_, boundary_, evaluation_);
   set_tolerance();
 }
 
@@ -134,33 +136,21 @@ bool Newton::Parts::loads_finite(const std::vector<double>& x) const {
 linear::LinearOutcome Newton::Parts::predict(const mechanics::Committed& committed, std::vector<double>& x) {
   const std::vector<double>& start = committed.displacement();
   const std::vector<char>& fixed = boundary.prescribed();
-  const std::size_t unknowns = x.size();
-  try {
-    system.update(committed, start.data());
-    system.update_preconditioner();
-  } catch (const std::exception& failure) {  // a matrix that cannot be factorised
-    linear::LinearOutcome outcome;
-    outcome.failure = linear::failure_of(failure);
-    outcome.reason = linear::sentence_of(failure);
-    return outcome;
-  }
-  model->evaluate(start.data());
-  std::vector<double> jump(unknowns, 0.0), stiff(unknowns);
-  for (std::size_t u = 0; u < unknowns; ++u)
+  linear::LinearOutcome outcome = model.linearise(committed.at());
+  if (!outcome.converged) return outcome;
+  model.evaluate(committed.at());
+  std::vector<double> jump(x.size(), 0.0), stiff(x.size());
+  for (std::size_t u = 0; u < x.size(); ++u)
     if (fixed[u]) jump[u] = x[u] - start[u];
   system.tangent().apply(jump.data(), stiff.data());
 
-  auto right = rcp(new tpetra::Vector(system.map())), left = rcp(new tpetra::Vector(system.map()));
-  {
-    const auto values = right->getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (std::size_t u = 0; u < unknowns; ++u) values(u, 0) = fixed[u] ? 0 : model->force()[u] + external[u] - stiff[u];
-  }
-  const linear::LinearOutcome outcome = linear::solve_linear(*factory, model->create_W_op(), model->create_W_prec(),
-                                                             solver.linear.tolerance, right, left);
+  std::vector<double> right = model.out_of_balance(), change;
+  for (std::size_t u = 0; u < x.size(); ++u)
+    if (!fixed[u]) right[u] -= stiff[u];
+  outcome = linear_solver.solve(system, right, solver.linear.tolerance, change);
   if (!outcome.converged) return outcome;
-  const auto values = left->getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (std::size_t u = 0; u < unknowns; ++u)
-    if (!fixed[u]) x[u] = start[u] + values(u, 0);
+  for (std::size_t u = 0; u < x.size(); ++u)
+    if (!fixed[u]) x[u] = start[u] + change[u];
   return outcome;
 }
 
@@ -169,9 +159,8 @@ RCP<Teuchos::ParameterList> Newton::Parts::nox_parameters(const RCP<NaturalLineS
   all->set("Nonlinear Solver", "Line Search Based");
   auto& newton = all->sublist("Direction").sublist("Newton");
   all->sublist("Direction").set("Method", "Newton");
-  newton.set("Forcing Term Method", "Constant");  // EquilibriumTest sets the tolerance of every solve
+  newton.set("Forcing Term Method", "Constant");  // NewtonProgress has the tolerance of every solve
   newton.set("Rescue Bad Newton Solve", true);
-  newton.sublist("Linear Solver").set("Tolerance", solver.linear.tolerance);
   auto& search = all->sublist("Line Search");
   if (solver.newton.line_search == deck::LineSearch::backtrack) {
     search.set("Method", "User Defined");
@@ -226,7 +215,7 @@ NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, in
   Parts& p = *parts_;
   NewtonResult result;
   p.boundary.external_force(t, p.external.data());
-  p.model->set_step(committed, p.external, t);
+  p.model.set_step(committed, p.external, t);
 
   std::vector<double> x(committed.displacement().begin(),
                         committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.scene.owned_unknowns()));
@@ -239,11 +228,16 @@ NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, in
     result.reason = p.boundary.not_finite(t);
     return result;
   }
+  medium::Displacement start(x);
   bool good_guess = p.boundary.free_count() == 0;
   if (guessed) {
-    const ForceBalance& balance = p.model->evaluate(x.data());
-    good_guess = good_guess || (balance.finite && p.model->relative_residual() < 0.1);
+    // After bonds have broken the guess is where the body is, and its strains are there.
+    const bool moved = !std::equal(x.begin(), x.end(), committed.displacement().begin());
+    if (!p.scene.body().communicator.any(moved)) p.model.take_for_committed(start.at());
+    const ForceBalance& balance = p.model.evaluate(start.at());
+    good_guess = good_guess || (balance.finite && p.model.relative_residual() < 0.1);
   }
+  int iterations = 0;
   if (!good_guess) {
     const linear::LinearOutcome outcome = p.predict(committed, x);
     if (!outcome.converged) {
@@ -251,67 +245,65 @@ NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, in
       result.reason = "no first guess: " + outcome.reason;
       return result;
     }
-    result.linear_iterations += outcome.iterations;
+    iterations = outcome.iterations;
+    start.change() = x;
   }
-
-  auto start = rcp(new tpetra::Vector(p.system.map()));
-  {
-    const auto values = start->getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (std::size_t u = 0; u < x.size(); ++u) values(u, 0) = x[u];
-  }
-  const auto space = p.model->get_x_space();
-  const NOX::Thyra::Vector initial(Thyra::createVector<double, LocalIndex, GlobalId>(start, space));
-  const RCP<Thyra::PreconditionerFactoryBase<double>> no_factory;
-  auto group = rcp(
-      new NOX::Thyra::Group(initial, p.model, p.model->create_W_op(), p.factory, p.model->create_W_prec(), no_factory));
-  const auto natural = rcp(new NaturalLineSearch(*p.model, *p.factory, p.model->reach()));
-  auto parameters = p.nox_parameters(natural);
-  auto test = rcp(new EquilibriumTest(*p.model, committed, p.solver, step, t, observer,
-                                      parameters->sublist("Direction").sublist("Newton").sublist("Linear Solver")));
-  if (may_take_direct()) test->fail_at_linear_limit();
-  NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
-  std::string trouble;
-  try {
-    const auto solver = NOX::Solver::buildSolver(group, test, parameters);
-    status = solver->solve();
-    result.newton_iterations = solver->getNumIterations();
-    result.linear_iterations += solver->getSolverStatistics()->linearSolve.allNonlinearSolves_NumLinearIterations +
-                                natural->linear_iterations();
-  } catch (const std::exception& failure) {
-    result.failure = linear::failure_of(failure);
-    trouble = linear::sentence_of(failure);
-  } catch (const char* failure) {  // NOX throws bare strings
-    result.failure = linear::Failure::other;
-    trouble = std::string("NOX stopped: ") + failure;
-  }
-  p.most_iterations = test->most_linear_iterations();
+  result = p.iterate(start, step, may_take_direct(), observer);
+  result.linear_iterations += iterations;
   if (result.newton_iterations > 0) {
     p.last_iterations = static_cast<double>(result.linear_iterations) / result.newton_iterations;
     if (p.iterations_when_made == 0) p.iterations_when_made = p.last_iterations;
   }
-  if (status == NOX::StatusTest::Converged) {
-    result.converged = true;
-    trial = std::move(p.model->trial());
-    force = p.model->force();
-    return result;
+  if (!result.converged) return result;
+  trial = std::move(p.model.trial());
+  force = p.model.force();
+  return result;
+}
+
+NewtonResult Newton::Parts::iterate(const medium::Displacement& start, int step, bool linear_limit_fails,
+                                    Observer& observer) {
+  NewtonResult result;
+  NewtonProgress progress(solver, observer);
+  if (linear_limit_fails) progress.fail_at_linear_limit();
+  EquilibriumSolve shared{model, linear_solver, progress};
+  const auto natural = rcp(new NaturalLineSearch(shared, model.reach()));
+  const auto test = rcp(new EquilibriumTest(shared, solver.newton, step));
+  NOX::StatusTest::StatusType status = NOX::StatusTest::Failed;
+  try {
+    const auto nox = NOX::Solver::buildSolver(rcp(new EquilibriumGroup(shared, start)), test, nox_parameters(natural));
+    status = nox->solve();
+    result.newton_iterations = nox->getNumIterations();
+    result.linear_iterations = shared.all_iterations + natural->linear_iterations();
+  } catch (const LinearFailure& failure) {
+    result.failure = failure.failure;
+    result.reason = failure.what();
+  } catch (const std::exception& failure) {
+    const linear::LinearOutcome outcome = linear::outcome_of(failure);
+    result.failure = outcome.failure;
+    result.reason = outcome.reason;
+  } catch (const char* failure) {  // NOX throws bare strings
+    result.failure = linear::Failure::other;
+    result.reason = std::string("NOX stopped: ") + failure;
   }
-  if (!trouble.empty()) {
-    result.reason = trouble;
-  } else if (!test->finite()) {
+  most_iterations = progress.most_linear_iterations();
+  result.converged = status == NOX::StatusTest::Converged;
+  if (result.converged || !result.reason.empty()) return result;
+  const NewtonIteration& last = progress.last();
+  if (!test->finite()) {
     result.failure = linear::Failure::not_finite;
-    result.reason = p.model->not_finite();
-  } else if (test->at_linear_limit()) {
+    result.reason = model.not_finite();
+  } else if (progress.at_linear_limit()) {
     result.failure = linear::Failure::linear_iterations;
-    result.reason = fmt::format("the linear solver did not reach {:.1g} in {} iterations", test->last().forcing,
-                                test->last().linear_iterations);
-  } else if (test->last().iteration >= p.solver.newton.max_iterations) {
+    result.reason =
+        fmt::format("the linear solver did not reach {:.1g} in {} iterations", last.forcing, last.linear_iterations);
+  } else if (last.iteration >= solver.newton.max_iterations) {
     result.failure = linear::Failure::newton_iterations;
-    result.reason = fmt::format("Newton did not converge in {} iterations (relative residual {:.2e})",
-                                test->last().iteration, test->last().relative_residual);
+    result.reason = fmt::format("Newton did not converge in {} iterations (relative residual {:.2e})", last.iteration,
+                                last.relative_residual);
   } else {
     result.failure = linear::Failure::no_progress;
     result.reason = fmt::format("no step length along Newton's direction makes progress (relative residual {:.2e})",
-                                test->last().relative_residual);
+                                last.relative_residual);
   }
   return result;
 }
@@ -321,18 +313,17 @@ NewtonResult Newton::descend(const mechanics::Committed& committed, double t, in
   NewtonResult result;
   if (!parts_->system.symmetric() || deck_.solver.assembled()) return result;
   std::unique_ptr<Parts> without_matrix;
-  if (direct_) without_matrix = std::make_unique<Parts>(deck_.solver, scene_, boundary_);
+  if (direct_) without_matrix = std::make_unique<Parts>(deck_.solver, scene_, boundary_, evaluation_);
   Parts& p = direct_ ? *without_matrix : *parts_;
   p.boundary.external_force(t, p.external.data());
-  p.model->set_step(committed, p.external, t);
+  p.model.set_step(committed, p.external, t);
   std::vector<double> x(committed.displacement().begin(),
                         committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.scene.owned_unknowns()));
   p.boundary.impose(t, x.data());
-  result = EnergyDescent(p.solver, p.boundary, p.system, *p.model, *p.factory, p.model->reach())
-               .run(committed, p.external, t, step, observer, x);
+  result = EnergyDescent(p.solver, p.model, p.linear_solver).run(p.external, step, observer, x);
   if (!result.converged) return result;
-  trial = std::move(p.model->trial());
-  force = p.model->force();
+  trial = std::move(p.model.trial());
+  force = p.model.force();
   return result;
 }
 

@@ -5,8 +5,9 @@
 namespace perinox::equilibrium {
 
 double PathNorm::product(const PathPoint& a, const PathPoint& b) const {
+  const std::vector<double>&of_a = a.displacement.values(), &of_b = b.displacement.values();
   double dot = 0;
-  for (std::size_t u = 0; u < a.displacement.size(); ++u) dot += a.displacement[u] * b.displacement[u];
+  for (std::size_t u = 0; u < of_a.size(); ++u) dot += of_a[u] * of_b[u];
   return ranks->sum(dot) / (length * length);
 }
 
@@ -14,7 +15,8 @@ double PathNorm::of(const PathPoint& a) const { return std::sqrt(product(a, a));
 
 PathPoint FixedArc::step(const PathPoint& at) const {
   PathPoint step = at;
-  for (std::size_t u = 0; u < step.displacement.size(); ++u) step.displacement[u] -= origin_.displacement[u];
+  std::vector<double>& change = step.displacement.change();
+  for (std::size_t u = 0; u < change.size(); ++u) change[u] -= origin_.displacement.values()[u];
   step.t -= origin_.t;
   return step;
 }

@@ -12,8 +12,12 @@ namespace {
 std::size_t point_size(int dimension) { return 2 + static_cast<std::size_t>(bonds::mandel_size(dimension)); }
 }  // namespace
 
-BondBreaking::BondBreaking(const deck::Deck& deck, mechanics::Scene& scene)
-    : scene_(scene), limits_(bond_limits(deck, scene)), unbreakable_(static_cast<std::size_t>(scene.local()), 0) {
+BondBreaking::BondBreaking(const deck::Deck& deck, mechanics::Scene& scene,
+                           std::shared_ptr<mechanics::Evaluation> evaluation)
+    : scene_(scene),
+      evaluation_(std::move(evaluation)),
+      limits_(bond_limits(deck, scene)),
+      unbreakable_(static_cast<std::size_t>(scene.local()), 0) {
   const body::Body& body = scene.body();
   std::vector<double> mark(static_cast<std::size_t>(scene.local()), 0.0);
   for (const std::string& set : deck.fracture.unbreakable)
@@ -38,7 +42,8 @@ void BondBreaking::find_points(const mechanics::Committed& state) {
   if (energies_) {
     const std::size_t n = point_size(scene_.dimension());
     points_.assign(n * static_cast<std::size_t>(scene_.local()), 0.0);
-    mechanics::force_states(scene_, state, points_.data());
+    if (!evaluation_) evaluation_ = std::make_shared<mechanics::Evaluation>(scene_);
+    mechanics::force_states(*evaluation_, state, points_.data());
     body.halo.update_ghosts(points_.data(), static_cast<int>(n));
   }
   if (!ductile_) return;
@@ -133,7 +138,7 @@ long long BondBreaking::break_all(MovingState& motion) {
     find_points(motion.committed());
   } else if (energies_) {
     points_.resize(point_size(scene_.dimension()) * static_cast<std::size_t>(scene_.local()));
-    mechanics::force_states_in_motion(scene_, points_.data());
+    motion.force_states(points_.data());
     scene_.body().halo.update_ghosts(points_.data(), static_cast<int>(point_size(scene_.dimension())));
   }
   const double* displacement = motion.displacement().data();
@@ -141,7 +146,9 @@ long long BondBreaking::break_all(MovingState& motion) {
   Judged judged;
   for (const BondScreen::Candidate& bond : screen_->find(displacement, energies_ ? points_.data() : nullptr))
     judge(bond.near, bond.far, bond.length, bond.weight, displacement, judged);
-  return break_above(judged, bonds_, motion.plastic()).broken;
+  const long long broken = break_above(judged, bonds_, motion.plastic()).broken;
+  if (broken > 0) motion.bonds_have_broken();
+  return broken;
 }
 
 void BondBreaking::judge(LocalIndex near, LocalIndex far, double length, double weight, const double* displacement,

@@ -1,5 +1,5 @@
 #pragma once
-/// Private to the solve room: broken bonds as a checkpoint holds them. They need particles, and no scene.
+/// Broken bonds as a checkpoint holds them. They need particles, and no scene.
 #include <array>
 #include <vector>
 

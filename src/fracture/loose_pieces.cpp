@@ -65,8 +65,9 @@ long long cut_hanging(mechanics::Scene& scene, const mechanics::PlasticExtension
     const LocalIndex lower = scene.body().id[i] < scene.body().id[j] ? i : j;
     if (lower < scene.owned()) ++counted;
   });
-  scene.break_bonds(ends, &plastic);
-  return scene.body().communicator.sum(counted);
+  const long long all = scene.body().communicator.sum(counted);
+  if (all > 0) scene.break_bonds(ends, &plastic);
+  return all;
 }
 
 /// The pieces that the supports hold in part, and that their loads push along a motion left free. touched: [count] more

@@ -68,16 +68,16 @@ void BackgroundGrid::shape_values(const GridElement& element, const double* x, d
   }
 }
 
-// Inside a cell a d-linear function is a sum of 2^d monomials, bit a of whose number says whether the coordinate on
-// axis a is a factor. Particle by particle only monomials are used, a vector's components side by side in one register;
-// the step between corner values and monomials is done once a cell, axis by axis.
+// Inside a cell a d-linear function is a sum of 2^d monomials. Bit a of a monomial's number says whether the coordinate
+// on axis a is a factor. The loops over particles use monomials only, with the components of a vector side by side in
+// one register. The step between corner values and monomials is taken once a cell, axis by axis.
 
 namespace {
 
-/// Numbers a monomial: the components, and in 3-D one more for the register's sake.
+/// Numbers stored for each monomial: the components, and in 3-D one more to fill the register.
 constexpr int lanes_of(int dimension) { return dimension == 3 ? 4 : 2; }
 
-/// What the loops over particles see.
+/// The data that the loops over particles read, as plain pointers.
 struct Points {
   LocalIndex count;
   const double* place;
@@ -102,8 +102,8 @@ struct Lanes {
   typedef double Vector __attribute__((vector_size(8 * lanes_of(d)), may_alias));
 };
 
-/// Particles in the order of memory: neighbours share an element, whose few sums stay near. sums:
-/// [elements][2^d][lanes].
+/// Adds the particles' values r into the sums of their elements' monomials. Particles are visited in the order of
+/// memory: neighbours share an element, so its few sums stay in the cache. sums: [elements][2^d][lanes].
 template <int d>
 inline __attribute__((always_inline)) void sum_monomials(const Points& p, const double* r, double* sums) {
   using Vector = typename Lanes<d>::Vector;
@@ -193,7 +193,7 @@ void BackgroundGrid::add_interpolated(const double* coarse, double* z) const {
 }
 
 void BackgroundGrid::clear_monomials() const {
-  // Aligned to registers of eight numbers: so many more to find the first such place.
+  // The start is aligned to registers of eight numbers, and eight more numbers leave room to find the first such place.
   monomials_.assign(elements_.size() * static_cast<std::size_t>(lanes_of(dimension()) * cells_.corners()) + 8, 0.0);
 }
 

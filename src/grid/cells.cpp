@@ -7,7 +7,7 @@
 namespace perinox::grid {
 
 namespace {
-/// Of a cell: by so much all of them may be wider than asked for.
+/// Cells may be wider than asked for as long as all of them together exceed it by no more than this share of a cell.
 constexpr double slack = 0.1;
 }  // namespace
 
@@ -24,7 +24,7 @@ Cells::Cells(const body::Body& body, double spacing) : dimension_(body.dimension
     }
     low = ranks.min(low) - edge / 2;  // a particle stands for the volume around it
     high = ranks.max(high) + edge / 2;
-    // Rather a little narrower than `spacing` than wider, but not below two particles.
+    // Cells are rather a little narrower than `spacing` than wider, but not narrower than two particles.
     const GlobalId wanted = std::llround(std::ceil((high - low) / spacing - slack));
     const GlobalId most =
         std::max(std::llround((high - low) / spacing), std::llround(std::floor((high - low) / (2 * edge) + slack)));

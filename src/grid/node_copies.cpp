@@ -14,9 +14,9 @@ namespace {
 
 using Keys = std::unordered_set<GlobalId>;
 
-/// A cell filled less than this may hide a gap wider than the horizon, across which no bond was ever made: of two cells
-/// that such a gap of one cell's width runs through, one is filled to a half at most. Interior cells of jittered clouds
-/// stay above it.
+/// A cell that is filled less than this may hide a gap wider than the horizon, across which no bond was ever made: if
+/// such a gap, one cell wide, runs through two cells, one of them is filled to a half at most. Interior cells of
+/// jittered clouds are filled more than this.
 constexpr double poorly_filled = 0.7;
 
 std::vector<std::array<int, 3>> offsets_around(int dimension) {
@@ -28,7 +28,7 @@ std::vector<std::array<int, 3>> offsets_around(int dimension) {
   return all;
 }
 
-/// Volume of this rank's particles in the cells around them; each particle is a cube.
+/// Volume of this rank's particles in each cell that they reach into. Each particle is taken as a cube.
 std::unordered_map<GlobalId, double> filled_volumes(const body::Body& body, const Cells& cells) {
   std::unordered_map<GlobalId, double> volume;
   const auto d = static_cast<std::size_t>(body.dimension);
@@ -37,7 +37,7 @@ std::unordered_map<GlobalId, double> filled_volumes(const body::Body& body, cons
     const GlobalId own = cells.cell_at(body.position(i));
     const Cells::Place place = cells.cell_place(own);
     const std::array<double, 3> corner = cells.position(place);
-    // Of each axis: what sticks out of the cell, and on which side.
+    // For each axis: the share of the particle's cube that sticks out of the cell, and the side on which it does.
     std::array<double, 3> out{};
     std::array<int, 3> side{};
     for (std::size_t a = 0; a < d; ++a) {
@@ -61,12 +61,12 @@ std::unordered_map<GlobalId, double> filled_volumes(const body::Body& body, cons
   return volume;
 }
 
-/// Cells that may be parted, over all ranks.
+/// Cells in which the body may be parted, collected over all ranks.
 Keys suspects(const body::Body& body, const std::vector<double>& damage, const Cells& cells,
               const std::vector<GlobalId>& cell) {
   Keys found;
   std::unordered_map<GlobalId, int> part;  // -1: several
-  std::set<GlobalId> held;                 // by particles of this rank
+  std::set<GlobalId> held;                 // cells that hold particles of this rank
   for (LocalIndex i = 0; i < body.local(); ++i) {
     if (i < body.owned) {
       held.insert(held.end(), cell[i]);
@@ -83,7 +83,8 @@ Keys suspects(const body::Body& body, const std::vector<double>& damage, const C
       if (other != part.end() && (own < 0 || other->second != own)) found.insert(key);
     }
   }
-  // A cell at a rank's border may be filled up by other ranks: those that one of them finds poor are added up.
+  // A cell at a rank's border may be filled up by other ranks. The volumes of cells that one rank finds poorly filled
+  // are therefore added up over the ranks.
   const std::unordered_map<GlobalId, double> volume = filled_volumes(body, cells);
   const double enough = poorly_filled * cells.volume();
   std::vector<long long> poor;
@@ -135,8 +136,8 @@ NodeCopies::NodeCopies(const body::Body& body, const std::vector<double>& damage
       if (beside >= 0) looked_at.insert(beside);
     }
 
-  // Pieces of each cell: union by bonds on this rank, then owners' labels go to ghosts until no label falls any more.
-  // (A bond is in both ends' families, so the owner of a ghost sees the same bond from its side.)
+  // Find the pieces of each cell. Bonds join particles on this rank, then the owners' labels go to the ghosts until no
+  // label falls any more. (A bond is in both ends' families, so the owner of a ghost sees the same bond from its side.)
   DisjointSets joined(local);
   std::vector<char> inside(local);
   for (std::size_t i = 0; i < local; ++i) inside[i] = looked_at.count(cell[i]) > 0;
@@ -168,7 +169,7 @@ NodeCopies::NodeCopies(const body::Body& body, const std::vector<double>& damage
   for (LocalIndex i = 0; i < body.owned; ++i)
     if (inside[i]) piece_[i] = static_cast<GlobalId>(label[i]);
 
-  // Pieces of all ranks with their cells, and the pairs of pieces in cells side by side that bonds tie.
+  // Collect the pieces of all ranks with their cells, and the pairs of pieces in cells side by side that bonds tie.
   std::set<std::pair<GlobalId, GlobalId>> pieces, ties;  // (cell, piece); (lower piece, higher piece)
   for (LocalIndex i = 0; i < body.owned; ++i) {
     if (!inside[i]) continue;
@@ -178,7 +179,7 @@ NodeCopies::NodeCopies(const body::Body& body, const std::vector<double>& damage
     for (const LocalIndex j : neighbors) {
       if (cell[j] == cell[i] || !inside[j]) continue;
       const auto other = static_cast<GlobalId>(label[j]);
-      if (other == last) continue;  // neighbours come in runs
+      if (other == last) continue;  // neighbours of one piece often follow each other
       last = other;
       ties.insert({std::min(piece_[i], other), std::max(piece_[i], other)});
     }
@@ -197,7 +198,7 @@ NodeCopies::NodeCopies(const body::Body& body, const std::vector<double>& damage
   for (const auto& [key, piece] : pieces) pieces_of[key].push_back(piece);
   for (const auto& [a, b] : ties) tied_to[a].push_back(b);
 
-  // Components among the pieces around each suspect node, in the order of their lowest particle.
+  // Find the connected components among the pieces around each suspect node, in the order of their lowest particle.
   std::set<GlobalId> nodes;
   for (const GlobalId key : suspect)
     for (int c = 0; c < cells.corners(); ++c) nodes.insert(cells.node_at(cells.cell_place(key), c));

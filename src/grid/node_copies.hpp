@@ -8,25 +8,26 @@
 
 namespace perinox::grid {
 
-/// Where a body is parted inside the support of one grid node (by a crack, a gap, bodies that are not bonded): the
-/// particles of each cell fall into pieces that intact bonds hold together, and among the pieces around a node each
-/// connected component gets a copy of the node of its own. Without it one coarse function would tie both faces of a
-/// crack together. The same on every rank, for any partition.
+/// Copies of the nodes of a background grid where a body is parted within one node's support, as by a crack, a gap or
+/// bodies that are not bonded. The particles of each cell fall into pieces that intact bonds hold together. Among the
+/// pieces around a node each connected component gets its own copy of the node. Without copies one function of the grid
+/// would tie both faces of a crack together. The result is the same on every rank and for any partition.
 class NodeCopies {
  public:
-  /// Looks only where something may be parted: around cut families, poorly filled cells and cells of several bodies.
-  /// Collective.
+  /// Looks only where the body may be parted: around damaged families, in poorly filled cells and in cells that hold
+  /// several bodies. damage: [owned] broken share of each family. Collective.
   NodeCopies(const body::Body& body, const std::vector<double>& damage, const Cells& cells,
              const bonds::BondGraph& graph);
 
-  /// Piece of its cell that owned particle i is in: the lowest particle id of the piece; -1 where nobody looked.
+  /// The piece of its cell to which owned particle i belongs, named by the lowest particle id in it; -1 in cells that
+  /// were not looked at.
   GlobalId piece(LocalIndex i) const { return piece_.empty() ? -1 : piece_[i]; }
-  /// Id of the copy of a grid node that serves a piece: the node's key for the first copy, ids from
-  /// Cells::node_count() on for the others.
+  /// Id of the copy of a grid node that serves a piece. It is the node's key for the first copy; the others have ids
+  /// from Cells::node_count() on.
   GlobalId copy_of(GlobalId node, GlobalId piece) const;
-  /// Copies beyond the first, over all nodes.
+  /// Number of copies beyond the first, over all nodes.
   GlobalId extra_copies() const { return extra_copies_; }
-  /// The grid node that an id is a copy of.
+  /// Key of the grid node that an id is a copy of.
   GlobalId original(GlobalId id) const;
 
  private:

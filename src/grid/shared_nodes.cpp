@@ -59,8 +59,8 @@ void SharedNodes::exchange(Number* values, int width, MPI_Datatype type, const C
   }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
 
-  // In the order of the ranks, so that the sum is the same on all of them to the last bit: this rank's own share takes
-  // its turn.
+  // Shares are combined in the order of the ranks, so that the sum is the same on all of them to the last bit. This
+  // rank's own share takes its turn.
   std::vector<Number> own;
   own.reserve(shared_.size() * w);
   for (const LocalIndex n : shared_) own.insert(own.end(), values + n * w, values + (n + 1) * w);

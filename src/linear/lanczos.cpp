@@ -47,7 +47,7 @@ Ritz largest_eigenvalue(const Communicator& ranks, const std::vector<double>& st
   double length = length_of_w();
   std::vector<double> diagonal, side;
   Ritz ritz;
-  while (length != 0 && static_cast<int>(diagonal.size()) < settings.most_products) {
+  while (length > 0 && static_cast<int>(diagonal.size()) < settings.most_products) {
     std::swap(before, v);
     for (std::size_t u = 0; u < unknowns; ++u) {
       v[u] = w[u] / length;

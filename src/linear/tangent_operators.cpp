@@ -72,7 +72,7 @@ Teuchos::RCP<Ifpack2::Preconditioner<double, LocalIndex, GlobalId>> make_sparse(
 }  // namespace
 
 TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<char>& prescribed,
-                             const deck::Solver& solver)
+                             const deck::Solver& solver, std::shared_ptr<mechanics::Evaluation> evaluation)
     : scene_(scene),
       prescribed_(prescribed),
       solver_(solver),
@@ -91,7 +91,7 @@ TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<ch
     stored_ = stored.get();
     tangent_ = std::move(stored);
   } else {
-    tangent_ = mechanics::make_tangent(scene, solver_.form);
+    tangent_ = mechanics::make_tangent(scene, solver_.form, std::move(evaluation));
   }
   masked_ = Teuchos::rcp(new MaskedTangent(map_, *tangent_, prescribed_));
   operator_ = masked_;
@@ -137,10 +137,10 @@ std::string TangentSystem::preconditioner_name() const {
   return name_of(solver_.linear.preconditioner);
 }
 
-void TangentSystem::update(const mechanics::Committed& committed, const double* displacement) {
+void TangentSystem::update(const mechanics::Committed& committed, const medium::At& at) {
   Profile& profile = scene_.body().communicator.profile();
   const Profile::Scope timed(profile, Section::linearise);
-  if (!tangent_->linearise(committed, displacement, solver_.form)) return;
+  if (!tangent_->linearise(committed, at, solver_.form)) return;
   preconditioner_current_ = false;
   tangent_->diagonal_blocks(blocks_.data());
   const int d = scene_.dimension();

@@ -1,4 +1,4 @@
-/// The point formulas spread over the bonds of one family.
+/// The bond-by-bond forms of the point formulas: they spread coefficients over the bonds of one family.
 #include <Eigen/Eigenvalues>
 #include <stdexcept>
 
@@ -30,7 +30,7 @@ FamilySums sums_of(const Family& family, const double* extension, const double* 
   return sums;
 }
 
-/// Sums of a fitted family with its fit.
+/// The sums of a fitted family together with its fit.
 struct FittedSums {
   FamilySums sums;
   StrainFit fit;
@@ -57,7 +57,7 @@ FittedSums fitted_sums_of(const Family& family, const double* extension, const d
   return all;
 }
 
-/// xi N . h of bond j.
+/// The number xi N . h of bond j.
 double along(const Family& family, int j, const Mandel& h) {
   const int n = bonds::mandel_size(family.dimension);
   double sum = 0;
@@ -65,7 +65,7 @@ double along(const Family& family, int j, const Mandel& h) {
   return sum;
 }
 
-/// xi N . A sum w xi N de as rank-one terms, one an eigenvector of A.
+/// Adds xi N . A sum w xi N de as rank-one terms, one for each eigenvector of A.
 void add_strain_modulus(const Family& family, const PointModulus& point, ModulusState& result) {
   const int n = bonds::mandel_size(family.dimension);
   const std::array<double, 36> modulus = strain_modulus(*family.moment, point.bulk, point.shear);

@@ -18,8 +18,8 @@ PointState Elastic::state(const FamilySums& sums, const double*, double*) const 
   point.pressure = bulk_ * theta;
   point.radial = d * point.pressure / m - alpha * point.mean;
   point.response.dilatation = theta;
-  // Out of the plane: sigma = lambda theta in plane strain, eps = -lambda/(lambda + 2 mu) theta in plane stress, where
-  // the plane bulk moduli are lambda + mu and (lambda + mu) less lambda^2/(lambda + 2 mu).
+  // Out of the plane, sigma = lambda theta in plane strain and eps = -lambda/(lambda + 2 mu) theta in plane stress. The
+  // plane bulk moduli are lambda + mu, and lambda + mu less lambda^2/(lambda + 2 mu).
   if (dimension_ == deck::Dimension::plane_strain) point.response.stress_zz = (bulk_ - shear_) * theta;
   if (dimension_ == deck::Dimension::plane_stress) point.response.strain_zz = -(bulk_ - shear_) / (2 * shear_) * theta;
   point.response.unflowed_energy = point.response.stored_energy =
@@ -40,7 +40,7 @@ PointModulus Elastic::modulus(const FamilySums& sums, const double*, deck::Tange
 }
 
 ElasticModuli Elastic::elastic_moduli(int dimension) const {
-  // Without the dilatation term W = alpha/2 sum omega e^2, which at e = xi theta/d is (d+2) mu theta^2/(2d).
+  // Without the dilatation term W = alpha/2 sum omega e^2, which is (d+2) mu theta^2/(2d) for e = xi theta/d.
   return {with_dilatation_ ? bulk_ : (dimension + 2) * shear_ / dimension, shear_};
 }
 

@@ -4,10 +4,12 @@
 
 namespace perinox::materials {
 
-/// Linear peridynamic solid, Mitchell 2011 Eq. 24-26, in 3-D, plane strain and plane stress.
+/// The linear peridynamic solid, Mitchell 2011 Eq. 24-26, in 3-D, plane strain and plane stress (docs/theory.md,
+/// section 2).
 class Elastic : public Material {
  public:
-  /// bulk: kappa of the dimension at hand. with_dilatation false: theta is taken as zero, a bond-by-bond solid.
+  /// bulk: kappa of the dimension at hand. If with_dilatation is false, theta is taken as zero and each bond stands
+  /// alone.
   Elastic(double bulk, double shear, bool with_dilatation, deck::Dimension dimension = deck::Dimension::three);
 
   using Material::modulus;

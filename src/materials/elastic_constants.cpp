@@ -13,7 +13,7 @@ struct Given {
   std::optional<double> bulk, shear, young, poisson, lame;
 };
 
-/// k and mu from the first two constants found, in the order bulk, shear, young, poisson, lame.
+/// The constants k and mu from the first two that are given, in the order bulk, shear, young, poisson, lame.
 std::optional<ElasticConstants> from_pair(const Given& g) {
   if (g.bulk && g.shear) return ElasticConstants{*g.bulk, *g.shear};
   if (g.bulk && g.young) return ElasticConstants{*g.bulk, 3 * *g.bulk * *g.young / (9 * *g.bulk - *g.young)};

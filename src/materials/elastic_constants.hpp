@@ -6,22 +6,23 @@
 
 namespace perinox::materials {
 
-/// Isotropic constants, 3-D: bulk modulus k and shear modulus mu (stress).
+/// The isotropic elastic constants of the 3-D solid: bulk modulus k and shear modulus mu, both stresses.
 struct ElasticConstants {
   double bulk = 0;
   double shear = 0;
 
   double poisson() const { return (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear)); }
   double young() const { return 9 * bulk * shear / (3 * bulk + shear); }
-  /// kappa of formulation 1: 3-D k; plane strain k + mu/3; plane stress 9 k mu/(3k + 4 mu).
+  /// kappa of the dimension at hand (docs/theory.md, section 2): k in 3-D, k + mu/3 in plane strain and 9 k mu/(3k + 4
+  /// mu) in plane stress.
   double bulk_of(deck::Dimension dimension) const;
 };
 
-/// The keys bulk_modulus, shear_modulus, young_modulus, poisson_ratio, lame_lambda, and `dilatation`.
+/// The deck's keys bulk_modulus, shear_modulus, young_modulus, poisson_ratio, lame_lambda and `dilatation`.
 std::vector<deck::Key> elastic_keys();
 
-/// From any two of the five; a third is accepted if it agrees to 1e-6. Throws InputError at the deck's line: fewer than
-/// two, disagreeing ones, or a pair that gives k <= 0 or mu <= 0.
+/// The constants that follow from any two of the five. Further ones are accepted if they agree to 1e-6. Throws
+/// InputError at the deck's line if there are fewer than two, if they disagree, or if a pair gives k <= 0 or mu <= 0.
 ElasticConstants elastic_constants(const deck::Material& material);
 
 }  // namespace perinox::materials

@@ -9,14 +9,15 @@
 namespace perinox::materials {
 
 namespace {
-// f = 0 is a kink: a point that sits on the yield surface up to rounding counts as elastic, so that Newton does not
-// flip between the two tangents (formulation 3).
+// The yield surface f = 0 is a kink. A point on it counts as elastic up to rounding, so that Newton does not flip
+// between the two tangents (docs/theory.md, section 3).
 constexpr double kink = 1e-12;
 const std::vector<std::string> point_history{"plastic_multiplier", "equivalent_plastic_strain"};
 constexpr int multiplier = 0;
 constexpr int equivalent_strain = 1;
 const double root3 = std::sqrt(3.0);
-/// Yield stress in shear over shear modulus that no real material comes near: its strain at yield would be a tenth.
+/// Ratio of yield stress in shear to shear modulus that no real material comes near: its strain at yield would be a
+/// tenth.
 constexpr double most_yield_over_shear = 0.1;
 }  // namespace
 
@@ -36,14 +37,15 @@ ElasticPlastic::Return ElasticPlastic::radial_return(const FamilySums& sums, con
   if (parameters_.with_dilatation) r.dilatation = d / m * sums.extension;
   r.strain_square = sums.square_about(r.dilatation / d);
   r.trial_norm = r.alpha * std::sqrt(r.strain_square);
-  // psi0 = d(d+2) tau^2/(2m), beta = sqrt(2 psi0) = c tau; with the continuum m and omega = 1 this is Eq. 51.
+  // psi0 = d(d+2) tau^2/(2m) and beta = sqrt(2 psi0) = c tau; with the continuum m and omega = 1 this is Eq. 51.
   r.yield_scale = std::sqrt(d * (d + 2) /
                             (parameters_.continuum_yield ? sums.continuum_weighted_volume : sums.deviatoric_volume()));
   const double plastic_shear = root3 * committed[equivalent_strain];
   r.beta = r.yield_scale * curve_.stress(plastic_shear);
   if (r.trial_norm <= r.beta * (1 + kink)) return r;
 
-  // N = beta(lambda) (1 + (1 + h) alpha Delta lambda) with Delta gamma = Delta lambda beta c: linear in Delta gamma.
+  // N = beta(lambda) (1 + (1 + h) alpha Delta lambda) with Delta gamma = Delta lambda beta c, which is linear in Delta
+  // gamma.
   r.yielding = true;
   const double falls = (1 + overlay_) * r.alpha / (r.yield_scale * r.yield_scale);
   const double driving = r.trial_norm / r.yield_scale;
@@ -100,23 +102,22 @@ PointModulus ElasticPlastic::modulus(const FamilySums& sums, const double* commi
   if (parameters_.with_dilatation) {
     point.mean -= tilt(sums);
     point.bulk = parameters_.bulk;
-    // Eq. 65 as printed lacks the factor 3/m of the dilatation's gradient.
+    // Eq. 65 as printed lacks the factor 3/m of the dilatation's gradient (docs/theory.md, section 7).
     point.radial =
         printed ? 3 * parameters_.bulk / m - point.shear / 3 : (d * d * parameters_.bulk - point.shear * m) / (m * m);
   }
   if (!r.yielding) return point;
-  // The rank-one state t_trial = alpha q with its coefficient -alpha beta/N^3; hardening adds alpha beta'/N^2, and the
-  // part in parallel takes none of it. As
-  // printed, the third term carries a Delta(zeta - xi) that (63) does not have: read as one quadrature weight, it keeps
-  // only the diagonal.
-  // N = alpha sqrt(strain_square), so that no power of alpha is left, which a small or large horizon would overflow.
+  // The rank-one state is t_trial = alpha q with its coefficient -alpha beta/N^3. Hardening adds alpha beta'/N^2, and
+  // the part in parallel takes none of it. As printed, the third term carries a Delta(zeta - xi) that (63) does not
+  // have. Read as one quadrature weight, it keeps only the diagonal. N = alpha sqrt(strain_square) is inserted so that
+  // no power of alpha is left, which a small or large horizon would overflow.
   point.flow = inner_ * (r.beta_slope * r.trial_norm - r.beta) / (r.strain_square * std::sqrt(r.strain_square));
   point.diagonal_only = printed;
   return point;
 }
 
 ElasticModuli ElasticPlastic::elastic_moduli(int dimension) const {
-  // Without the dilatation term W = alpha/2 sum omega e^2, which at e = xi theta/d is (d+2) mu theta^2/(2d).
+  // Without the dilatation term W = alpha/2 sum omega e^2, which is (d+2) mu theta^2/(2d) for e = xi theta/d.
   return {parameters_.with_dilatation ? parameters_.bulk : (dimension + 2) * parameters_.shear / dimension,
           parameters_.shear};
 }
@@ -235,14 +236,14 @@ deck::ModelDeclaration declaration() {
   return model;
 }
 
-/// 0 where the key was left out.
+/// The slope in shear that the key gives; 0 if the key was left out.
 double shear_slope(const deck::Material& material, const char* key) {
   if (!material.parameters.has(key)) return 0;
   const deck::Value& slope = material.parameters.at(key);
   return slope.has("shear") ? slope.at("shear").number() : slope.at("tension").number() / 3;
 }
 
-/// p has all but its table.
+/// Reads the hardening table into p, which has everything else.
 void read_table(const deck::Material& material, deck::Dimension dimension, ElasticPlastic::Parameters& p) {
   for (const char* key : {"yield_stress", "hardening_modulus"})
     if (material.parameters.has(key))
@@ -261,7 +262,8 @@ void read_table(const deck::Material& material, deck::Dimension dimension, Elast
     deck::refuse(path.location(),
                  "a hardening table whose yield stress falls needs yield_scaling: discrete, where its slope can be "
                  "compared with the shear modulus");
-  // What the driving stress falls by at least as the plastic shear strain grows: beside it the return is unique.
+  // The least rate at which the driving stress falls as the plastic shear strain grows. The return is unique if the
+  // yield stress falls more slowly.
   const ElasticConstants constants{p.bulk, p.shear};
   const double falls =
       p.kinematic_shear +

@@ -7,18 +7,19 @@
 
 namespace perinox::materials {
 
-/// e_p of a family that has lost bonds need not be deviatoric: half the gradient of sums.square_about(theta/d) is
-/// omega (e - (theta/d - tilt) xi - e_p). 0 of a whole family, and where the strain is fitted: the fit has it.
+/// Tilt of the deviatoric plastic part. The e_p of a family that has lost bonds need not be deviatoric: half the
+/// gradient of sums.square_about(theta/d) is then omega (e - (theta/d - tilt) xi - e_p). The tilt is 0 for a whole
+/// family. It is also 0 where the strain is fitted, because the fit accounts for it.
 inline double tilt(const FamilySums& sums) { return sums.fitted ? 0 : sums.plastic / sums.weighted_volume; }
 
-/// Ordinary state-based plasticity, Mitchell 2011 Eq. 27-45, 51-57, 63-65 with its errata mended, for every influence
-/// function (1/omega-weighted norm), perfect, with isotropic hardening (linear or a table), with linear kinematic
-/// hardening (Prager), or both; 3-D. PlanePlastic is its 2-D form.
-/// Kinematic hardening of modulus H_k is the solid in parallel with an elastic one: with h = H_k/mu,
+/// Ordinary state-based plasticity in 3-D, Mitchell 2011 Eq. 27-45, 51-57, 63-65 with its errata corrected, for every
+/// influence function (norm with the weight 1/omega; docs/theory.md, section 3). It is perfect, has isotropic hardening
+/// (linear or a table), linear kinematic hardening (Prager), or both. PlanePlastic is the 2-D form. Kinematic hardening
+/// of modulus H_k is the solid in parallel with an elastic one: with h = H_k/mu,
 ///     W = kappa theta^2/2 + alpha/(2(1 + h)) (sum omega (e_d - z)^2 weight + h sum omega e_d^2 weight),
-/// and alpha (e_d - z) is what yields.
-/// History: z = (1 + h) e_p a bond, which is e_p without kinematic hardening; plastic_multiplier lambda and
-/// equivalent_plastic_strain (tension measure) a point.
+/// and alpha (e_d - z) is what yields. The history of a bond is z = (1 + h) e_p, which is e_p without kinematic
+/// hardening. The history of a point is plastic_multiplier (lambda) and equivalent_plastic_strain (the tension
+/// measure).
 class ElasticPlastic : public Material {
  public:
   struct Parameters {
@@ -30,10 +31,10 @@ class ElasticPlastic : public Material {
     bool with_dilatation = true;
     double kinematic_shear = 0;             ///< H_k: slope of the back stress in shear over plastic shear strain
     std::optional<HardeningCurve> table{};  ///< takes the place of yield_shear and hardening_shear
-    deck::Location yield_location{};        ///< of the yield stress or of its table, for remark()
+    deck::Location yield_location{};        ///< place of the yield stress or of its table in the deck, for remark()
 
     HardeningCurve curve() const { return table ? *table : HardeningCurve(yield_shear, hardening_shear); }
-    std::string hardening() const;  ///< for summary()
+    std::string hardening() const;  ///< the hardening in words, for summary()
     std::string remark() const;
   };
   explicit ElasticPlastic(const Parameters& parameters);
@@ -50,7 +51,7 @@ class ElasticPlastic : public Material {
   std::string remark() const override { return parameters_.remark(); }
 
  private:
-  /// Everything the radial return decides for one point.
+  /// The quantities that the radial return decides for one point.
   struct Return {
     double dilatation = 0;
     double alpha = 0;          ///< d(d+2) mu/m

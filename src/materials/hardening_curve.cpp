@@ -33,7 +33,7 @@ double HardeningCurve::lowest_slope() const {
 HardeningCurve read_hardening_table(const std::string& path, const deck::Location& asked_at, bool tension) {
   const body::CsvTable table(path, asked_at, {"a hardening table", {"plastic_strain", "yield_stress"}, {}});
   const std::size_t strain = table.column("plastic_strain"), stress = table.column("yield_stress");
-  // gamma = sqrt(3) eps and tau = sigma/sqrt(3) (Eq. 56)
+  // A tension test is converted by gamma = sqrt(3) eps and tau = sigma/sqrt(3) (Eq. 56).
   const double root = tension ? std::sqrt(3.0) : 1;
   std::vector<HardeningCurve::Row> rows;
   for (std::size_t k = 0; k < table.rows(); ++k) {

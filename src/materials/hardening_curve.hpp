@@ -7,17 +7,17 @@
 
 namespace perinox::materials {
 
-/// Yield stress in pure shear tau over plastic shear strain gamma: straight lines between given rows, constant beyond
-/// the last one. Stresses, dimensionless strains.
+/// Yield stress in pure shear tau over plastic shear strain gamma. It is piecewise linear between given rows and
+/// constant beyond the last one. tau is a stress, gamma is dimensionless.
 class HardeningCurve {
  public:
   struct Row {
     double strain = 0;
     double stress = 0;
   };
-  /// tau = stress + slope gamma for all gamma.
+  /// The straight line tau = stress + slope gamma for all gamma.
   HardeningCurve(double stress, double slope);
-  /// rows: at least one, strains from 0 and rising.
+  /// rows: at least one, with strains that begin at 0 and rise.
   explicit HardeningCurve(const std::vector<Row>& rows);
 
   double stress(double strain) const {
@@ -32,20 +32,21 @@ class HardeningCurve {
   bool perfect() const { return lines_.size() == 1 && lines_[0].slope == 0; }
   std::size_t lines() const { return lines_.size(); }
 
-  /// A return to the curve from gamma, to its exact end.
+  /// The result of a return to the curve from gamma.
   struct Flow {
     double strain = 0;  ///< Delta gamma
     double stress = 0;  ///< tau at the end
     double slope = 0;   ///< d tau/d gamma at the end
     double work = 0;    ///< integral of tau over Delta gamma, energy a volume
   };
-  /// solve(stress, slope): the one Delta gamma >= 0 at which the material's driving stress, which falls with Delta
-  /// gamma faster than the curve, meets the line stress + slope Delta gamma. Asked line by line until the answer lies
-  /// on the line that was asked about.
+  /// Returns to the curve from plastic shear strain `strain`. solve(stress, slope) gives the one Delta gamma >= 0 at
+  /// which the material's driving stress, which falls with Delta gamma faster than the curve, meets the line stress +
+  /// slope Delta gamma. It is called line by line until the answer lies on the line of the call, so the result is
+  /// exact.
   template <class Solve>
   Flow flow(double strain, const Solve& solve) const {
     Flow result;
-    double begun = 0;  // of Delta gamma, where the line begins
+    double begun = 0;  // Delta gamma where the line begins
     for (std::size_t k = line_at(strain);; ++k) {
       const Line line = lines_[k];
       const double start = line.stress + line.slope * (strain - line.begin);
@@ -62,8 +63,8 @@ class HardeningCurve {
 
  private:
   struct Line {
-    double begin = 0;   ///< gamma
-    double stress = 0;  ///< there
+    double begin = 0;   ///< gamma at which the line begins
+    double stress = 0;  ///< tau there
     double slope = 0;
   };
   std::size_t line_at(double strain) const { return lines_.size() == 1 ? 0 : search(strain); }
@@ -71,9 +72,9 @@ class HardeningCurve {
   std::vector<Line> lines_;
 };
 
-/// A CSV file with the columns plastic_strain and yield_stress of a tension test (tension) or of pure shear. Throws
-/// InputError at the file's line: a first strain that is not 0, strains that do not rise, a stress that is not
-/// positive; at asked_at: no file.
+/// Reads a hardening curve from a CSV file with the columns plastic_strain and yield_stress of a tension test (tension)
+/// or of pure shear. Throws InputError at the file's line if the first strain is not 0, if strains do not rise or if a
+/// stress is not positive, and at asked_at if there is no file.
 HardeningCurve read_hardening_table(const std::string& path, const deck::Location& asked_at, bool tension);
 
 }  // namespace perinox::materials

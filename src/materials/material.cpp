@@ -7,7 +7,7 @@
 namespace perinox::materials {
 
 namespace {
-// Inside a function, so that it exists before any translation unit registers its model.
+// The map is inside a function so that it exists before any translation unit registers its model.
 std::map<std::string, Model>& registry() {
   static std::map<std::string, Model> models;
   return models;

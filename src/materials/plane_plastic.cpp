@@ -8,7 +8,7 @@
 namespace perinox::materials {
 
 namespace {
-constexpr double kink = 1e-12;  // as in three dimensions
+constexpr double kink = 1e-12;  // the same margin as in three dimensions
 constexpr int multiplier = 0;
 constexpr int equivalent_strain = 1;
 constexpr int strain_zz = 2;
@@ -46,7 +46,7 @@ PlanePlastic::Return PlanePlastic::return_to_yield(const FamilySums& sums, const
   return r;
 }
 
-/// All deviatoric components shrink alike: closed.
+/// The return in plane strain. All deviatoric components shrink alike, so it has a closed form.
 void PlanePlastic::flow_in_plane_strain(double trial, double plastic_shear, Return& r) const {
   const double mu = parameters_.shear, falls = (1 + overlay_) * mu;
   const HardeningCurve::Flow flow =
@@ -65,8 +65,9 @@ void PlanePlastic::flow_in_plane_stress(double trial, double plastic_shear, Retu
   r.potential = flow.work;
 }
 
-/// The deviator shrinks by A = 1/(1 + (1 + h) mu D), the mean stress by B = 1/(1 + (K2 + 3 H_k) D/3), D = Delta
-/// gamma/T: one equation F = T(D) (1 - slope D) - stress = 0, whose left side falls.
+/// Solves the return in plane stress on one line of the hardening curve. The deviator shrinks by A = 1/(1 + (1 + h) mu
+/// D) and the mean stress by B = 1/(1 + (K2 + 3 H_k) D/3), where D = Delta gamma/T. This leaves the one equation F =
+/// T(D) (1 - slope D) - stress = 0, whose left side falls.
 double PlanePlastic::meet_in_plane_stress(double trial, double stress, double slope, Return& r) const {
   const double mu = parameters_.shear, falls = (1 + overlay_) * mu, k = out_modulus_;
   double d = 0, t = trial, derivative = 0;
@@ -79,8 +80,8 @@ double PlanePlastic::meet_in_plane_stress(double trial, double stress, double sl
     r.rest = b;
     return t * (1 - slope * d) - stress;
   };
-  // With slope >= 0 Newton comes from the left, where the curve bends upward, and never passes the root but by
-  // rounding; a falling line, or one that crosses zero stress before this yield strain, needs the bracket.
+  // With slope >= 0 Newton comes from the left, where the curve bends upward, and passes the root by rounding at most.
+  // A falling line, or one that crosses zero stress before this yield strain, needs the bracket.
   double value = evaluate(), low = 0, high = std::numeric_limits<double>::infinity();
   for (int k_newton = 0; k_newton < 100; ++k_newton) {
     (value > 0 ? low : high) = d;

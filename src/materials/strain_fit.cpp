@@ -20,7 +20,7 @@ Column<n> identity() {
   one.template head<dimension_of<n>>().setOnes();
   return one;
 }
-/// Without its trace.
+/// A tensor without its trace.
 template <int n>
 Column<n> deviator(const Column<n>& v) {
   return v - identity<n>() * (identity<n>().dot(v) / dimension_of<n>);
@@ -33,7 +33,7 @@ template <int n>
 Eigen::Map<const Square<n>> inverse_of(const bonds::Moment& moment) {
   return Eigen::Map<const Square<n>>(moment.inverse.data());
 }
-/// 2m/(d(d+2)), which is 2 mu/alpha.
+/// The factor 2m/(d(d+2)), which is 2 mu/alpha.
 double shear_weight(const bonds::Moment& moment) {
   return 2 * moment.weighted_volume() / (moment.dimension * (moment.dimension + 2));
 }
@@ -45,7 +45,7 @@ StrainFit fit_of(const bonds::Moment& moment, const Mandel& extension, const Man
   const Column<n> one = identity<n>(), sums = view<n>(extension);
   StrainFit result;
   result.dilatation = one.dot(inverse * sums);
-  // About the shift, so that little cancels.
+  // The sums are taken about the shift, so that little cancels.
   const Column<n> away = sums - view<n>(plastic) - shift * view<n>(moment.second);
   const Column<n> strain = inverse * away;
   const Column<n> shear = deviator<n>(strain);

@@ -1,35 +1,38 @@
-#include "evaluation.hpp"
+#include "perinox/mechanics/evaluation.hpp"
 
 #include <algorithm>
 
 namespace perinox::mechanics {
 
-void Evaluation::at(const Scene& scene, const Committed& committed, const double* displacement) {
-  const bool same = version_ == committed.version() && bonds_version_ == scene.bonds_version() &&
-                    displacement_.size() == scene.local_unknowns() &&
-                    std::equal(displacement, displacement + scene.owned_unknowns(), displacement_.begin());
-  if (!scene.body().communicator.any(!same)) return;
-  displacement_.resize(scene.local_unknowns());
-  std::copy(displacement, displacement + scene.owned_unknowns(), displacement_.begin());
-  scene.body().halo.update_ghosts(displacement_.data(), scene.dimension());
-  follow_bonds(scene);
+Evaluation::Evaluation(const Scene& scene)
+    : scene_(scene), loops_(FamilyLoops::make(scene)), back_stress_(mechanics::has_back_stress(scene)) {}
+
+void Evaluation::at(const Committed& committed, const medium::At& at) {
+  if (version_ == at.version && committed_version_ == committed.version() && bonds_version_ == scene_.bonds_version())
+    return;
+  version_ = 0;  // until the sweeps are through
+  displacement_.resize(scene_.local_unknowns());
+  std::copy(at.displacement, at.displacement + scene_.owned_unknowns(), displacement_.begin());
+  scene_.body().halo.update_ghosts(displacement_.data(), scene_.dimension());
+  follow_bonds();
   sums_.total.clear();
   if (back_stress_ && committed.plastic().chunks()) {  // a sweep more, so that the others need no sum more
     loops_->strain_sums(displacement_.data(), committed.mean().data(), PlasticExtension(), sums_);
     sums_.total = sums_.square;
   }
   loops_->strain_sums(displacement_.data(), committed.mean().data(), committed.plastic(), sums_);
-  version_ = committed.version();
+  committed_version_ = committed.version();
+  version_ = at.version;
 }
 
-void Evaluation::follow_bonds(const Scene& scene) {
-  if (bonds_version_ != scene.bonds_version()) loops_->bonds_changed();
-  bonds_version_ = scene.bonds_version();
+void Evaluation::follow_bonds() {
+  if (bonds_version_ != scene_.bonds_version()) loops_->bonds_changed();
+  bonds_version_ = scene_.bonds_version();
 }
 
-void Evaluation::moved(const Scene& scene, const Committed& committed, double* displacement) {
-  displacement_.clear();
-  follow_bonds(scene);
+void Evaluation::moved(const Committed& committed, double* displacement) {
+  version_ = 0;
+  follow_bonds();
   loops_->moving_sums(displacement, committed.mean().data(), committed.plastic(), sums_);
   sums_.total.clear();
   if (!back_stress_ || !committed.plastic().chunks()) return;
@@ -37,15 +40,16 @@ void Evaluation::moved(const Scene& scene, const Committed& committed, double* d
   sums_.total = whole_.square;
 }
 
-materials::FamilySums Evaluation::sums(const Scene& scene, const Committed& committed, LocalIndex i,
-                                       materials::StrainFit& fit) const {
+materials::FamilySums Evaluation::sums(const Committed& committed, LocalIndex i, materials::StrainFit& fit) const {
   const bonds::Mandel none{};
-  const auto m = static_cast<std::size_t>(scene.families().moment(i) ? scene.families().fit[i] : 0);
-  return scene.families().moment(i) ? family_sums(scene, committed, sums_, i, sums_.fit[m], sums_.plastic_fit[m], fit)
-                                    : family_sums(scene, committed, sums_, i, none, none, fit);
+  const bonds::Families& families = scene_.families();
+  if (!families.moment(i)) return family_sums(scene_, committed, sums_, i, none, none, fit);
+  const auto m = static_cast<std::size_t>(families.fit[i]);
+  return family_sums(scene_, committed, sums_, i, sums_.fit[m], sums_.plastic_fit[m], fit);
 }
 
-Evaluation::Law& Evaluation::answers(const Scene& scene, const Committed& committed, Trial& trial) {
+const Evaluation::Law& Evaluation::answers(const Committed& committed, Trial& trial) {
+  const Scene& scene = scene_;
   const auto owned = static_cast<std::size_t>(scene.owned());
   law_.radial.resize(owned);
   law_.shear.resize(owned);
@@ -54,7 +58,7 @@ Evaluation::Law& Evaluation::answers(const Scene& scene, const Committed& commit
   materials::StrainFit fit;
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
     const materials::PointState point =
-        scene.material(i).state(sums(scene, committed, i, fit), committed.point_history(scene, i),
+        scene.material(i).state(sums(committed, i, fit), committed.point_history(scene, i),
                                 trial.point_history.data() + scene.point_history()[i]);
     const bonds::Moment* moment = scene.families().moment(i);
     law_.radial[i] = moment ? 0 : point.radial;

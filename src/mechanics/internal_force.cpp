@@ -5,35 +5,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "evaluation.hpp"
 #include "stored_force.hpp"
 
 namespace perinox::mechanics {
 
-namespace {
-
-/// By the sweeps: sums, the materials' answers to them, forces.
-void swept_force(const Scene& scene, const Committed& committed, const double* displacement, Trial& trial,
-                 std::vector<double>& force) {
-  Evaluation& evaluation = scene.evaluation();
-  evaluation.at(scene, committed, displacement);
-  trial.displacement = evaluation.displacement();
-  const Evaluation::Law& law = evaluation.answers(scene, committed, trial);
-  evaluation.loops().forces(law.radial.data(), law.shear.data(), law.yielded.empty() ? nullptr : law.yielded.data(),
-                            law.state.data(), committed.plastic(), force.data());
-}
-
-}  // namespace
-
-void internal_force(const Scene& scene, const Committed& committed, const double* displacement, Trial& trial,
+void internal_force(Evaluation& evaluation, const Committed& committed, const medium::At& at, Trial& trial,
                     double* force) {
+  const Scene& scene = evaluation.scene();
   trial.prepare(scene, committed);
+  trial.version = at.version;
   std::vector<double> all(scene.local_unknowns(), 0.0);
   if (scene.from_sums()) {
-    swept_force(scene, committed, displacement, trial, all);
+    evaluation.at(committed, at);
+    trial.displacement = evaluation.displacement();
+    const Evaluation::Law& law = evaluation.answers(committed, trial);
+    evaluation.loops().forces(law.radial.data(), law.shear.data(), law.yielded_or_null(), law.state.data(),
+                              committed.plastic(), all.data());
   } else {
     trial.displacement.resize(scene.local_unknowns());
-    std::copy(displacement, displacement + scene.owned_unknowns(), trial.displacement.begin());
+    std::copy(at.displacement, at.displacement + scene.owned_unknowns(), trial.displacement.begin());
     scene.body().halo.update_ghosts(trial.displacement.data(), scene.dimension());
     stored_force(scene, committed, trial, all);
   }
@@ -41,33 +31,34 @@ void internal_force(const Scene& scene, const Committed& committed, const double
   std::copy(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()), force);
 }
 
-void force_states(const Scene& scene, const Committed& state, double* points) {
-  Trial trial;
-  trial.prepare(scene, state);
-  scene.evaluation().at(scene, state, state.displacement().data());
-  scene.evaluation().answers(scene, state, trial);
-  force_states_in_motion(scene, points);
-}
-
-void internal_force_in_motion(const Scene& scene, const Committed& committed, Trial& trial, double* force) {
+void internal_force_in_motion(Evaluation& evaluation, const Committed& committed, Trial& trial, double* force) {
+  const Scene& scene = evaluation.scene();
   const Profile::Scope timed(scene.body().communicator.profile(), Section::force);
   if (!scene.from_sums()) {
     const std::vector<double> displacement(
         trial.displacement.begin(), trial.displacement.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()));
-    internal_force(scene, committed, displacement.data(), trial, force);
+    internal_force(evaluation, committed, displacement.data(), trial, force);
     return;
   }
   trial.prepare(scene, committed);
-  Evaluation& evaluation = scene.evaluation();
-  evaluation.moved(scene, committed, trial.displacement.data());
-  const Evaluation::Law& law = evaluation.answers(scene, committed, trial);
-  evaluation.loops().moving_forces(law.radial.data(), law.shear.data(),
-                                   law.yielded.empty() ? nullptr : law.yielded.data(), law.state.data(),
+  trial.version = 0;  // a motion numbers no states
+  evaluation.moved(committed, trial.displacement.data());
+  const Evaluation::Law& law = evaluation.answers(committed, trial);
+  evaluation.loops().moving_forces(law.radial.data(), law.shear.data(), law.yielded_or_null(), law.state.data(),
                                    committed.plastic(), force);
 }
 
-void force_states_in_motion(const Scene& scene, double* points) {
-  const Evaluation::Law& law = scene.evaluation().law();
+void force_states(Evaluation& evaluation, const Committed& state, double* points) {
+  Trial trial;
+  trial.prepare(evaluation.scene(), state);
+  evaluation.at(state, state.at());
+  evaluation.answers(state, trial);
+  held_force_states(evaluation, points);
+}
+
+void held_force_states(const Evaluation& evaluation, double* points) {
+  const Evaluation::Law& law = evaluation.law();
+  const Scene& scene = evaluation.scene();
   const auto n = static_cast<std::size_t>(bonds::mandel_size(scene.dimension()));
   const std::vector<std::int32_t>& fit = scene.families().fit;
   for (LocalIndex i = 0; i < scene.owned(); ++i, points += 2 + n) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "evaluation.hpp"
 #include "perinox/mechanics/stored_tangent.hpp"
 
 namespace perinox::mechanics {
@@ -27,11 +26,14 @@ const std::vector<double>& Tangent::shear_left() const {
   return all;
 }
 
-MatrixFreeTangent::MatrixFreeTangent(const Scene& scene) : Tangent(scene), loops_(FamilyLoops::make(scene)) {}
+MatrixFreeTangent::MatrixFreeTangent(const Scene& scene, std::shared_ptr<Evaluation> evaluation)
+    : Tangent(scene),
+      evaluation_(evaluation ? std::move(evaluation) : std::make_shared<Evaluation>(scene)),
+      loops_(FamilyLoops::make(scene)) {}
 
-bool MatrixFreeTangent::linearise(const Committed& committed, const double* displacement, deck::TangentForm form) {
-  Evaluation& evaluation = scene_.evaluation();
-  evaluation.at(scene_, committed, displacement);
+bool MatrixFreeTangent::linearise(const Committed& committed, const medium::At& at, deck::TangentForm form) {
+  Evaluation& evaluation = *evaluation_;
+  evaluation.at(committed, at);
   const auto owned = static_cast<std::size_t>(scene_.owned());
   for (std::vector<double>* values : {&law_.radial, &law_.shear, &law_.mean, &law_.dilatation, &law_.flow})
     values->resize(owned);
@@ -52,7 +54,7 @@ bool MatrixFreeTangent::linearise(const Committed& committed, const double* disp
     held = now;
   };
   for (LocalIndex i = 0; i < scene_.owned(); ++i) {
-    const materials::FamilySums sums = evaluation.sums(scene_, committed, i, fit);
+    const materials::FamilySums sums = evaluation.sums(committed, i, fit);
     const double* history = committed.point_history(scene_, i);
     trial.resize(static_cast<std::size_t>(scene_.point_history()[i + 1] - scene_.point_history()[i]));
     const materials::PointState state = scene_.material(i).state(sums, history, trial.data());
@@ -111,8 +113,10 @@ std::size_t MatrixFreeTangent::bytes() const {
   return loops_->bytes() + (5 * law_.radial.size() + law_.yielded.size() + shear_left_.size()) * sizeof(double) + fits;
 }
 
-std::unique_ptr<Tangent> make_tangent(const Scene& scene, deck::TangentForm form) {
-  if (form == deck::TangentForm::consistent && scene.from_sums()) return std::make_unique<MatrixFreeTangent>(scene);
+std::unique_ptr<Tangent> make_tangent(const Scene& scene, deck::TangentForm form,
+                                      std::shared_ptr<Evaluation> evaluation) {
+  if (form == deck::TangentForm::consistent && scene.from_sums())
+    return std::make_unique<MatrixFreeTangent>(scene, std::move(evaluation));
   return std::make_unique<StoredTangent>(scene);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "perinox/mechanics/family_loops.hpp"
+#include "perinox/mechanics/evaluation.hpp"
 #include "perinox/mechanics/tangent.hpp"
 
 namespace perinox::mechanics {
@@ -8,16 +8,18 @@ namespace perinox::mechanics {
 /// force states are recomputed by every product. Linearising at the state of the last internal force costs no sweep.
 class MatrixFreeTangent : public Tangent {
  public:
-  explicit MatrixFreeTangent(const Scene& scene);
+  /// evaluation: as in make_tangent().
+  explicit MatrixFreeTangent(const Scene& scene, std::shared_ptr<Evaluation> evaluation = nullptr);
 
   /// Throws std::logic_error for the printed form, whose third term is none of a point.
-  bool linearise(const Committed& committed, const double* displacement, deck::TangentForm form) override;
+  bool linearise(const Committed& committed, const medium::At& at, deck::TangentForm form) override;
   void apply(const double* x, double* y) const override;
   void diagonal_blocks(double* blocks, double dilatation = 1) const override;
   const std::vector<double>& shear_left() const override { return shear_left_; }
   std::size_t bytes() const override;
 
  private:
+  std::shared_ptr<Evaluation> evaluation_;
   std::unique_ptr<FamilyLoops> loops_;
   TangentLaw law_;
   std::vector<double> shear_left_;

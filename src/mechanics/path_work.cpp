@@ -1,55 +1,54 @@
 #include "perinox/mechanics/path_work.hpp"
 
-#include "evaluation.hpp"
-
 namespace perinox::mechanics {
 
 namespace {
 
-/// The state at a displacement, [local * dimension], as seen from the committed one.
-Trial state_at(const Scene& scene, const Committed& committed, const std::vector<double>& displacement) {
+/// The state at a displacement as seen from the committed one.
+Trial state_at(Evaluation& evaluation, const Committed& committed, const medium::At& at) {
   Trial trial;
-  trial.prepare(scene, committed);
-  scene.evaluation().at(scene, committed, displacement.data());
-  scene.evaluation().answers(scene, committed, trial);
+  trial.prepare(evaluation.scene(), committed);
+  evaluation.at(committed, at);
+  evaluation.answers(committed, trial);
   return trial;
 }
 
-/// Of the state that state_at() was asked for last.
-double turning_work(const Scene& scene, const Committed& committed, const std::vector<double>& step) {
-  const Evaluation::Law& law = scene.evaluation().law();
-  return scene.evaluation().loops().turning_work(law.radial.data(), law.shear.data(),
-                                                 law.yielded.empty() ? nullptr : law.yielded.data(), law.state.data(),
-                                                 committed.plastic(), step.data());
+/// What turning bonds do over a step that begins or ends at the state of the last state_at(). step: [local *
+/// dimension].
+double turning_work(Evaluation& evaluation, const Committed& committed, const std::vector<double>& step) {
+  const Evaluation::Law& law = evaluation.law();
+  return evaluation.loops().turning_work(law.radial.data(), law.shear.data(), law.yielded_or_null(), law.state.data(),
+                                         committed.plastic(), step.data());
 }
 
 }  // namespace
 
-PathWork::PathWork(const Scene& scene, const Committed& committed, const Trial& trial) {
+PathWork::PathWork(Evaluation& evaluation, const Committed& committed, const Trial& trial) {
+  const Scene& scene = evaluation.scene();
   if (!scene.from_sums()) return;
   const bool turns = !scene.small_strain(), flows = scene.body().communicator.any(trial.yielding > 0);
   std::vector<double> step;
   if (turns) {
     step = committed.displacement();
     for (std::size_t u = 0; u < step.size(); ++u) step[u] -= trial.displacement[u];
-    state_at(scene, committed, trial.displacement);
-    work_ -= 0.5 * turning_work(scene, committed, step);
+    state_at(evaluation, committed, trial.at());
+    work_ -= 0.5 * turning_work(evaluation, committed, step);
   }
   if (!turns && !flows) return;
-  const double energy = state_at(scene, committed, committed.displacement()).unflowed;
+  const double energy = state_at(evaluation, committed, committed.at()).unflowed;
   if (turns) {
     for (double& u : step) u = -u;
-    work_ += 0.5 * turning_work(scene, committed, step);
+    work_ += 0.5 * turning_work(evaluation, committed, step);
   }
   if (!flows) return;
   // Plastic work less the mean force state of the step's two ends over its flow, which is
   // (W(u0, p0) - W(u0, p1) + W(u1, p0) - W(u1, p1))/2 for a quadratic W(u, p).
   work_ += trial.dissipated - 0.5 * (energy + trial.unflowed - trial.stored);
-  start_ = committed.displacement();
+  start_.emplace(committed.displacement());
 }
 
-double PathWork::beyond_chord(const Scene& scene, const Committed& committed) const {
-  return start_.empty() ? work_ : work_ + 0.5 * state_at(scene, committed, start_).unflowed;
+double PathWork::beyond_chord(Evaluation& evaluation, const Committed& committed) const {
+  return start_ ? work_ + 0.5 * state_at(evaluation, committed, start_->at()).unflowed : work_;
 }
 
 }  // namespace perinox::mechanics

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 
-#include "evaluation.hpp"
 #include "perinox/core/restored.hpp"
-#include "perinox/mechanics/state.hpp"
+#include "perinox/mechanics/evaluation.hpp"
 #include "plastic_lists.hpp"
 
 namespace perinox::mechanics {
@@ -74,7 +73,8 @@ void Committed::save(const Scene& scene, StateWriter& writer) const {
                });
 }
 
-void Committed::restore(const Scene& scene, StateReader& reader) {
+void Committed::restore(Evaluation& evaluation, StateReader& reader) {
+  const Scene& scene = evaluation.scene();
   const int d = scene.dimension();
   t_ = restored_number(reader, "state/t", 0);
   const std::vector<double> displacement = reader.particles("state/displacement", d);
@@ -83,7 +83,7 @@ void Committed::restore(const Scene& scene, StateReader& reader) {
   mean_ = reader.particles("state/mean", 1);
   take_slices(reader, "state/point_history", scene.point_history(), point_history_);
   if (!scene.from_sums()) take_slices(reader, "state/bond_history", scene.bond_history(), bond_history_);
-  version_ = new_version();
+  version_ = medium::new_version();
   plastic_ = std::make_shared<PlasticExtension>();
   broken_elastic_.clear();
   if (!scene.plastic()) return;
@@ -110,7 +110,7 @@ void Committed::restore(const Scene& scene, StateReader& reader) {
   // The sweep that lets plastic extension grow makes the same arrays for the same particles as it did in the run that
   // was saved; what it writes there is replaced.
   if (std::any_of(flowed.begin(), flowed.end(), [](double flow) { return flow != 0; })) {
-    scene.evaluation().loops().advance(displacement_.data(), mean_.data(), flowed.data(), *plastic_);
+    evaluation.loops().advance(displacement_.data(), mean_.data(), flowed.data(), *plastic_);
     plastic_->mark(flowed);
   }
   PlasticLists lists(scene);

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "evaluation.hpp"
+#include "perinox/mechanics/plastic_extension.hpp"
 
 namespace perinox::mechanics {
 
@@ -132,6 +132,7 @@ void Scene::set_broken_extension(std::vector<bonds::BrokenExtension> extension) 
 }
 
 void Scene::break_bonds(const std::vector<BondEnds>& found, const PlasticExtension* plastic) {
+  ++bonds_version_;  // also where none of them is this rank's: all ranks evaluate anew or none
   if (found.empty()) return;
   if (!from_sums_) throw std::logic_error("bonds of a material that is not made of sums cannot break");
   // In the order of ids, so that damage adds up alike whoever has found them.
@@ -180,7 +181,6 @@ void Scene::break_bonds(const std::vector<BondEnds>& found, const PlasticExtensi
     const bool first = ids[0] < ids[1];
     if (bond[first ? 0 : 1] < body_.owned) broken_.push_back({std::min(ids[0], ids[1]), std::max(ids[0], ids[1])});
   }
-  ++bonds_version_;
   bonds_.reset();
   basis_.clear();
 }
@@ -229,11 +229,6 @@ bonds::BondGraph Scene::bond_graph() const {
       for (const auto& place : places) neighbors.push_back(place.neighbor);
     };
   return pairs_->graph();
-}
-
-Evaluation& Scene::evaluation() const {
-  if (!evaluation_) evaluation_ = std::make_unique<Evaluation>(*this);
-  return *evaluation_;
 }
 
 materials::Family Scene::family(LocalIndex i) const {

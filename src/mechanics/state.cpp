@@ -1,17 +1,11 @@
 #include "perinox/mechanics/state.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
-#include "evaluation.hpp"
+#include "perinox/mechanics/evaluation.hpp"
 
 namespace perinox::mechanics {
-
-std::uint64_t Committed::new_version() {
-  static std::atomic<std::uint64_t> last{0};
-  return ++last;
-}
 
 void Trial::prepare(const Scene& scene, const Committed& committed) {
   const auto owned = static_cast<std::size_t>(scene.owned());
@@ -30,7 +24,7 @@ Committed::Committed(const Scene& scene)
       bond_history_(scene.from_sums() ? 0 : static_cast<std::size_t>(scene.bond_history().back()), 0.0),
       mean_(static_cast<std::size_t>(scene.owned()), 0.0),
       plastic_(std::make_shared<PlasticExtension>()),
-      version_(new_version()) {}
+      version_(medium::new_version()) {}
 
 bonds::BrokenElastic Committed::broken_elastic(const Scene& scene, LocalIndex i) const {
   // Of a particle without bonds nothing is left.
@@ -58,12 +52,12 @@ void Committed::flow_of_broken(const Scene& scene, const Trial& trial) {
   }
 }
 
-void Committed::advance(const Scene& scene, Trial&& trial) {
+void Committed::advance(Evaluation& evaluation, Trial&& trial) {
   const bool flows = std::any_of(trial.flow.begin(), trial.flow.end(), [](double flow) { return flow != 0; });
   if (flows) {
-    scene.evaluation().loops().advance(trial.displacement.data(), trial.mean.data(), trial.flow.data(), *plastic_);
+    evaluation.loops().advance(trial.displacement.data(), trial.mean.data(), trial.flow.data(), *plastic_);
     plastic_->mark(trial.flow);
-    flow_of_broken(scene, trial);
+    flow_of_broken(evaluation.scene(), trial);
   }
   t_ = trial.t;
   // Exchanged rather than moved: who commits every time step uses the trial's arrays again.
@@ -71,7 +65,8 @@ void Committed::advance(const Scene& scene, Trial&& trial) {
   std::swap(point_history_, trial.point_history);
   std::swap(bond_history_, trial.bond_history);
   std::swap(mean_, trial.mean);
-  version_ = new_version();
+  trial.version = 0;  // its displacement is another one now
+  version_ = medium::new_version();
 }
 
 }  // namespace perinox::mechanics

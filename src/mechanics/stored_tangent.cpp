@@ -37,7 +37,8 @@ double* StoredTangent::keep(const double* values, int count) {
   return place;
 }
 
-bool StoredTangent::linearise(const Committed& committed, const double* displacement, deck::TangentForm form) {
+bool StoredTangent::linearise(const Committed& committed, const medium::At& at, deck::TangentForm form) {
+  const double* displacement = at.displacement;
   std::copy(displacement, displacement + scene_.owned_unknowns(), x_.begin());
   scene_.body().halo.update_ghosts(x_.data(), scene_.dimension());
   pool_block_ = pool_used_ = 0;

@@ -71,7 +71,8 @@ double compare_assembled(const Scene& scene, const StoredTangent& tangent, const
 
 TangentCheck check_tangent(const Scene& scene, const Committed& committed, const std::vector<double>& displacement,
                            deck::TangentForm form, bool with_assembled, std::uint64_t seed) {
-  const std::unique_ptr<Tangent> made = make_tangent(scene, form);
+  const auto evaluation = std::make_shared<Evaluation>(scene);
+  const std::unique_ptr<Tangent> made = make_tangent(scene, form, evaluation);
   Tangent& tangent = *made;
   tangent.linearise(committed, displacement.data(), form);
   const std::vector<double> v = random_field(scene, seed), w = random_field(scene, seed + 1);
@@ -87,9 +88,9 @@ TangentCheck check_tangent(const Scene& scene, const Committed& committed, const
     const double h = relative * scene.families().horizon;
     Trial trial;
     for (std::size_t u = 0; u < v.size(); ++u) moved[u] = displacement[u] + h * v[u];
-    internal_force(scene, committed, moved.data(), trial, plus.data());
+    internal_force(*evaluation, committed, moved.data(), trial, plus.data());
     for (std::size_t u = 0; u < v.size(); ++u) moved[u] = displacement[u] - h * v[u];
-    internal_force(scene, committed, moved.data(), trial, minus.data());
+    internal_force(*evaluation, committed, moved.data(), trial, minus.data());
     for (std::size_t u = 0; u < v.size(); ++u) difference[u] = -(plus[u] - minus[u]) / (2 * h);
     const std::vector<double> sums = squares_by_material(scene, kv, difference);
     double error = 0, size = 0;
@@ -106,7 +107,7 @@ TangentCheck check_tangent(const Scene& scene, const Committed& committed, const
       check.of_material.push_back(sums[2 * m + 1] > 0 ? std::sqrt(sums[2 * m] / sums[2 * m + 1]) : 0);
   }
   Trial here;
-  internal_force(scene, committed, displacement.data(), here, plus.data());
+  internal_force(*evaluation, committed, displacement.data(), here, plus.data());
   check.yielding = scene.body().communicator.sum(here.yielding);
   if (with_assembled) {
     StoredTangent stored(scene);

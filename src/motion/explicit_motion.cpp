@@ -31,9 +31,11 @@ double MotionEnergies::scale() const {
 }
 
 ExplicitMotion::ExplicitMotion(const mechanics::Scene& scene, const loads::Boundary& boundary,
-                               std::vector<double> masses, mechanics::Committed start, const Settings& settings)
+                               std::vector<double> masses, mechanics::Committed start, const Settings& settings,
+                               std::shared_ptr<mechanics::Evaluation> evaluation)
     : scene_(scene),
       boundary_(boundary),
+      evaluation_(evaluation ? std::move(evaluation) : std::make_shared<mechanics::Evaluation>(scene)),
       settings_(settings),
       start_(start.t()),
       history_(scene.body().communicator.any(start.point_history().size() + start.bond_history().size() > 0)),
@@ -110,7 +112,7 @@ void ExplicitMotion::set_velocity(const std::vector<deck::InitialVelocity>& entr
 double ExplicitMotion::stable_time_step() {
   if (!lambda_) {
     const std::vector<char>& held = boundary_.prescribed();
-    double lambda = largest_eigenvalue(scene_, committed(), masses_, held);
+    double lambda = largest_eigenvalue(scene_, committed(), masses_, held, evaluation_);
     // The bound is one of the undeformed body: stretched, it may have become less than the truth.
     if (const auto bound = time_steps_ == 0 ? eigenvalue_bound(scene_, masses_) : std::nullopt)
       lambda = std::min(lambda, *bound);
@@ -156,7 +158,7 @@ void ExplicitMotion::accelerate() {
 }
 
 void ExplicitMotion::evaluate() {
-  mechanics::internal_force_in_motion(scene_, committed_, trial_, force_.data());
+  mechanics::internal_force_in_motion(*evaluation_, committed_, trial_, force_.data());
   trial_.stored -= loads::loose_energy(scene_, boundary_.loose(), trial_.stored_energy);
   if (contact_) {
     std::fill(contact_force_.begin(), contact_force_.end(), 0.0);
@@ -193,7 +195,7 @@ void ExplicitMotion::step(double dt) {
   trial_.t = t();
   up_to_date_ = false;
   if (!history_) return;
-  committed_.advance(scene_, std::move(trial_));
+  committed_.advance(*evaluation_, std::move(trial_));
   trial_.displacement = committed_.displacement();
   up_to_date_ = true;
 }
@@ -261,9 +263,9 @@ void ExplicitMotion::kick(double dt) {
   }
 }
 
-double ExplicitMotion::bonds_have_broken() {
+void ExplicitMotion::bonds_have_broken() {
   if (contact_) contact_->refresh();
-  if (!moving_) return 0;
+  if (!moving_) return;
   // The forces jump, and the kinetic energy that goes by the acceleration with them; the velocities do not.
   const auto d = static_cast<std::size_t>(scene_.dimension());
   double released = trial_.stored + contact_energy_ - lag(masses_, acceleration_, d, last_step_);
@@ -271,9 +273,7 @@ double ExplicitMotion::bonds_have_broken() {
   accelerate();
   trial_.stored += trial_.dissipated;  // flow that the break sets off is the next time step's
   released += lag(masses_, acceleration_, d, last_step_);
-  released = scene_.body().communicator.sum(released - trial_.stored - contact_energy_);
-  released_ += released;
-  return released;
+  released_ += scene_.body().communicator.sum(released - trial_.stored - contact_energy_);
 }
 
 MotionEnergies ExplicitMotion::energies() const {
@@ -311,7 +311,7 @@ const mechanics::Committed& ExplicitMotion::committed() {
   if (!moving_) return committed_;
   if (!up_to_date_) {
     mechanics::Trial copy = trial_;
-    committed_.advance(scene_, std::move(copy));
+    committed_.advance(*evaluation_, std::move(copy));
     up_to_date_ = true;
   }
   return committed_;

@@ -45,7 +45,7 @@ void ExplicitMotion::save(StateWriter& writer) const {
 void ExplicitMotion::restore(StateReader& reader) {
   const int d = scene_.dimension();
   const bool first = scene_.body().communicator.is_root();
-  committed_.restore(scene_, reader);
+  committed_.restore(*evaluation_, reader);
   trial_.displacement = committed_.displacement();
   up_to_date_ = !reader.has("motion/displacement");
   if (!up_to_date_) {

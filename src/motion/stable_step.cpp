@@ -94,11 +94,13 @@ std::optional<double> eigenvalue_bound(const mechanics::Scene& scene, const std:
 }
 
 double largest_eigenvalue(const mechanics::Scene& scene, const mechanics::Committed& committed,
-                          const std::vector<double>& masses, const std::vector<char>& prescribed) {
+                          const std::vector<double>& masses, const std::vector<char>& prescribed,
+                          std::shared_ptr<mechanics::Evaluation> evaluation) {
   const std::size_t unknowns = scene.owned_unknowns();
   const auto d = static_cast<std::size_t>(scene.dimension());
-  const std::unique_ptr<mechanics::Tangent> tangent = mechanics::make_tangent(scene, deck::TangentForm::consistent);
-  tangent->linearise(committed, committed.displacement().data(), deck::TangentForm::consistent);
+  const std::unique_ptr<mechanics::Tangent> tangent =
+      mechanics::make_tangent(scene, deck::TangentForm::consistent, std::move(evaluation));
+  tangent->linearise(committed, committed.at(), deck::TangentForm::consistent);
   std::vector<double> scale(unknowns), start(unknowns), x(unknowns);
   for (std::size_t u = 0; u < unknowns; ++u) {
     scale[u] = prescribed[u] ? 0 : 1 / std::sqrt(masses[u / d]);

@@ -19,7 +19,7 @@ namespace perinox::output {
 
 namespace {
 
-/// Whatever HDF5 does not find is the input's fault here.
+/// Runs `work` and makes every failure of HDF5 an error of the input.
 template <class Work>
 auto as_input(Work&& work) {
   try {
@@ -32,7 +32,8 @@ auto as_input(Work&& work) {
 std::string group_of(const std::string& name) { return "/" + name.substr(0, name.rfind('/')); }
 std::string leaf_of(const std::string& name) { return name.substr(name.rfind('/') + 1); }
 
-/// The sentence about a file that is not whole, found by rank 0; its checksum.
+/// Rank 0's look at the file: the sentence that says why it is not whole, its length and the checksum that it must
+/// have.
 std::string first_look(const std::string& path, std::uint64_t& bytes, std::uint64_t& wanted) {
   std::error_code error;
   bytes = std::filesystem::file_size(path, error);
@@ -93,7 +94,7 @@ struct CheckpointReader::Plan {
   RowOrder order;
   RowLists lists;
   ParallelFile file;
-  /// Whoever takes lists has asked for their lengths before.
+  /// The name whose lengths were asked for last. Whoever takes lists has asked for their lengths before.
   std::string counted;
   std::vector<int> count;
 
@@ -124,7 +125,7 @@ CheckpointReader::CheckpointReader(std::string path, const body::Body& body) : p
 CheckpointReader::~CheckpointReader() = default;
 
 bool CheckpointReader::has(const std::string& name) const {
-  // HDF5 wants the way there to exist.
+  // HDF5 needs every group on the way to exist.
   for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1))
     if (!plan_->file.has("/" + name.substr(0, slash))) return false;
   return plan_->file.has("/" + name) || plan_->file.has_attribute(group_of(name), leaf_of(name));

@@ -34,7 +34,7 @@ struct CheckpointWriter::Plan {
 
 namespace {
 
-/// Adds up what would be written.
+/// Adds up the bytes of what would be written.
 class Counting : public StateWriter {
  public:
   explicit Counting(const Communicator& communicator) : communicator_(communicator) {}
@@ -57,8 +57,8 @@ class Counting : public StateWriter {
   }
 
  private:
-  static constexpr double overhead = 1024;  ///< HDF5's own for an object, amply
-  static constexpr double block = 512;      ///< datasets begin on one
+  static constexpr double overhead = 1024;  ///< ample bound on HDF5's own bytes for an object
+  static constexpr double block = 512;      ///< datasets begin at a multiple of it
   Communicator communicator_;
   double bytes_ = 0, columns_ = 0, mine_ = 0;
 };
@@ -86,7 +86,7 @@ class Writing : public StateWriter {
   }
 
  private:
-  /// Made with all the groups above it at its first mention.
+  /// The group of a name. It is made, with all the groups above it, when it is first mentioned.
   std::string group_of(const std::string& name) {
     for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/', slash + 1)) {
       const std::string group = "/" + name.substr(0, slash);
@@ -102,7 +102,7 @@ class Writing : public StateWriter {
   std::set<std::string> groups_;
 };
 
-/// The seal in place, all on the disk, the name changed; "" or the reason.
+/// Writes the seal, brings all to the disk and renames the file. Returns "" or the reason.
 std::string finish(const std::string& temporary, const std::string& path, const std::string& seal) {
   const int file = ::open(temporary.c_str(), O_WRONLY);
   bool done = file >= 0 && ::pwrite(file, seal.data(), seal.size(), 0) == static_cast<ssize_t>(seal.size()) &&
@@ -193,7 +193,7 @@ void CheckpointWriter::seal(const std::string& temporary, const std::vector<Know
   std::error_code ignored;
   const std::uint64_t bytes = std::filesystem::file_size(temporary, ignored);
   const std::uint64_t sum = file_checksum(temporary, seal_bytes, bytes, communicator, known);
-  // On another machine than rank 0's, what a rank has written is its own system's to bring to the disk.
+  // On another machine than rank 0's, the rank's own system has to bring to the disk what the rank has written.
   std::string reason = communicator.size() > 1 && !communicator.is_root() ? sync_to_disk(temporary) : "";
   agree_on_run_error(communicator, reason.empty() ? "" : temporary + " could not be brought to the disk: " + reason);
   if (communicator.is_root()) reason = finish(temporary, path_, seal_text(bytes, sum));

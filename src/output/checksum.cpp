@@ -25,7 +25,7 @@ std::uint64_t mix(std::uint64_t word) {
   return word ^ (word >> 31);
 }
 
-/// The checksum of [begin, end); the failure as a sentence.
+/// Adds the checksum of [begin, end) to `sum`. Returns the failure as a sentence, or "".
 std::string add_share(const std::string& path, std::uint64_t begin, std::uint64_t end, std::uint64_t first_word,
                       std::uint64_t& sum) {
   const int file = ::open(path.c_str(), O_RDONLY);

@@ -22,7 +22,7 @@ namespace perinox::output {
 namespace {
 namespace fs = std::filesystem;
 
-/// What the holder has written, "" if it has not come to that yet.
+/// The text that the holder has written; "" if it has not done so yet.
 std::string holder_in(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::string line;
@@ -47,7 +47,7 @@ DirectoryLock::DirectoryLock(std::string directory, const std::string& deck)
   while (!take()) {
   }
   const std::string text = own_description(deck);
-  // A full disk costs the words only.
+  // A full disk costs the words only, not the lock.
   if (::ftruncate(file_, 0) != 0 || ::pwrite(file_, text.data(), text.size(), 0) < 0) return;
 }
 
@@ -97,7 +97,7 @@ bool DirectoryLock::take() {
         "the output directory {} is in use by {}: wait for its end, or choose another directory with --output",
         directory_, holder.empty() ? "another process" : holder));
   }
-  // The holder before may have taken the file away after it was opened here: then others would lock another one.
+  // The holder before may have removed the file after it was opened here. Others would then lock another file.
   struct stat held {
   }, named{};
   if (::fstat(file_, &held) == 0 && ::stat(path_.c_str(), &named) == 0 && held.st_ino == named.st_ino &&

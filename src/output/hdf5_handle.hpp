@@ -1,5 +1,5 @@
 #pragma once
-/// Private to the output room: what every use of HDF5's C interface needs.
+/// Private to the room output: what every use of HDF5's C interface needs.
 #include <hdf5.h>
 
 #include <string>
@@ -23,7 +23,7 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-/// While it lives HDF5 prints no error stack of its own.
+/// While it lives HDF5 does not print an error stack of its own.
 class Silence {
  public:
   Silence() {
@@ -39,7 +39,8 @@ class Silence {
   void* data_ = nullptr;
 };
 
-/// The innermost reason on HDF5's error stack, which is then cleared: "No space left on device", "unable to find ...".
+/// Returns the innermost reason on HDF5's error stack and clears the stack: "No space left on device", "unable to find
+/// ...".
 std::string take_reason();
 
 }  // namespace perinox::output

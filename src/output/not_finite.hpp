@@ -1,5 +1,5 @@
 #pragma once
-/// Private to the output room: no state that a run leaves holds infinity or NaN, and none goes on from such a number.
+/// Private to the room output. No state that a run leaves holds infinity or NaN, and no run goes on from such a number.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace perinox::output {
 
-/// values: this rank's share. Throws RunError on every rank. Collective.
+/// Refuses values that are not finite. values: this rank's share. Collective. Throws RunError on every rank.
 inline void refuse_not_finite(const Communicator& communicator, const std::vector<double>& values,
                               const std::string& path, const std::string& name) {
   const bool finite = std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });

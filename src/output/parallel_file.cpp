@@ -10,7 +10,7 @@
 namespace perinox::output {
 
 namespace {
-/// Rows [first, first + rows) of a table, selected in its file dataspace.
+/// Selects the rows [first, first + rows) of a table in its file dataspace.
 void select_rows(hid_t space, GlobalId first, int rows, int columns) {
   const std::array<hsize_t, 2> start = {static_cast<hsize_t>(first), 0};
   const std::array<hsize_t, 2> count = {static_cast<hsize_t>(rows), static_cast<hsize_t>(columns)};
@@ -35,11 +35,12 @@ Handle collective_transfer(const Communicator& communicator) {
   return {list, H5Pclose};
 }
 
-/// Words of 8 bytes in large datasets are words of the file. HDF5 wants no more than the user block has.
+/// Large datasets begin at a multiple of a block, so that their words of 8 bytes are words of the file. HDF5 demands no
+/// more than the user block has.
 constexpr hsize_t large = 4096, block = 512;
 
-/// One rank needs no MPI-IO, whose opening of a file costs more than a small checkpoint's content. Files are not
-/// locked, as MPI-IO does not: a viewer may have results open that a run goes on writing.
+/// One rank needs no MPI-IO: opening a file with it costs more than a small checkpoint's content. Files are not locked,
+/// just as MPI-IO does not lock them: a viewer may have results open that a run goes on writing.
 Handle access_for(const Communicator& communicator, ParallelFile::Mode mode) {
   const hid_t list = H5Pcreate(H5P_FILE_ACCESS);
   if (communicator.size() > 1)
@@ -50,14 +51,15 @@ Handle access_for(const Communicator& communicator, ParallelFile::Mode mode) {
   return {list, H5Pclose};
 }
 
-/// H5Aread fills as much as the file says there is, whatever room there is for it.
+/// True if an attribute holds one value. H5Aread fills as much as the file says there is, whatever room there is for
+/// it.
 bool holds_one(const Handle& attribute) {
   if (attribute.failed()) return false;
   const Handle space(H5Aget_space(attribute), H5Sclose);
   return H5Sget_simple_extent_npoints(space) == 1;
 }
 
-/// HDF5 text: UTF-8 of any length, ended by a zero.
+/// HDF5's type of a text: UTF-8 of any length, ended by a zero.
 Handle text_type() {
   const hid_t type = H5Tcopy(H5T_C_S1);
   H5Tset_size(type, H5T_VARIABLE);
@@ -143,7 +145,7 @@ void ParallelFile::make_view(const std::string& view, const std::string& dataset
   H5Sselect_hyperslab(all, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
   const Handle space(H5Screate_simple(1, count.data(), nullptr), H5Sclose);
   const Handle mapped(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  H5Pset_virtual(mapped, space, ".", dataset.c_str(), all);  // ".": of the same file, whatever its name is
+  H5Pset_virtual(mapped, space, ".", dataset.c_str(), all);  // ".": in the same file, whatever its name is
   const Handle table(H5Dcreate2(file_, view.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, mapped, H5P_DEFAULT),
                      H5Dclose);
   agree(table.failed(), "refuses the dataset " + view);

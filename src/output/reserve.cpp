@@ -25,7 +25,7 @@ std::string reserve(const std::string& path, double bytes) {
 
 std::string sync_to_disk(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDONLY);
-  // Some file systems have no such thing for a directory, or at all.
+  // Some file systems cannot do this for a directory, or not at all.
   const bool done = file >= 0 && (::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP);
   const std::string reason = done ? "" : std::strerror(errno);
   if (file >= 0) ::close(file);

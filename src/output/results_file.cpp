@@ -16,10 +16,11 @@
 namespace perinox::output {
 
 namespace {
-/// Of xx, xy, xz, yx, ..., zz the number in xx, xy, xz, yy, yz, zz.
+/// For each of xx, xy, xz, yx, ..., zz its number in xx, xy, xz, yy, yz, zz.
 constexpr std::array<std::size_t, 9> of_symmetric = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 
-/// The rows as the file has them: vectors [points * 3], a component that is missing in 2-D zero; tensors [points * 9].
+/// The rows as the file has them: vectors [points * 3], where a component that is missing in 2-D is zero; tensors
+/// [points * 9].
 std::vector<double> columns_of_file(const double* values, std::size_t points, int components) {
   const auto width = static_cast<std::size_t>(components);
   const auto columns = static_cast<std::size_t>(XdmfIndex::columns_of(components));
@@ -33,8 +34,8 @@ std::vector<double> columns_of_file(const double* values, std::size_t points, in
   return wide;
 }
 
-/// Components of a symmetric tensor that have a name of their own, and their columns in the file. In 2-D those across
-/// the plane are zero.
+/// A component of a symmetric tensor that has a name of its own, and its column in the file. In 2-D those across the
+/// plane are zero.
 struct NamedColumn {
   const char* name;
   int column;
@@ -49,9 +50,9 @@ std::string view_of(long long step, const std::string& field, const std::string&
 
 constexpr double header_room = 128 * 1024;  ///< bytes for HDF5's own bookkeeping of a step
 
-/// HDF5 rewrites its table of contents in place, in some milliseconds: a run killed in them loses the file. Of small
-/// files, whose steps are short too, a copy is added to and renamed; large ones are spared the copy, and their steps
-/// are so long that those milliseconds are hardly ever hit.
+/// HDF5 rewrites its table of contents in place, in some milliseconds, and a run that is killed in them loses the file.
+/// For small files, whose steps are short too, the step is added to a copy, which is then renamed. Large files are
+/// spared the copy: their steps are so long that those milliseconds are hardly ever hit.
 constexpr double copied_up_to = 16e6;  ///< bytes
 }  // namespace
 
@@ -129,7 +130,7 @@ ResultsFile::Later ResultsFile::look_back(Continue kept, const std::vector<std::
       later.steps.push_back(step.number);
       continue;
     }
-    // Those that are asked for come first.
+    // The fields that are asked for come first.
     std::vector<std::string> there = fields;
     for (const std::string& field : file.fields(step.number))
       if (std::find(fields.begin(), fields.end(), field) == fields.end()) there.push_back(field);

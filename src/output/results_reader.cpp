@@ -16,7 +16,7 @@ namespace {
   throw RunError(path + " " + doing + ": " + take_reason());
 }
 
-/// Rows and columns of a dataset; no columns for a list.
+/// Number of rows and columns of a dataset. A list has no columns.
 std::array<hsize_t, 2> extent_of(hid_t table) {
   const Handle space(H5Dget_space(table), H5Sclose);
   std::array<hsize_t, 2> extent = {0, 0};
@@ -58,7 +58,7 @@ std::vector<std::string> ResultsReader::names_in(const std::string& where) const
   return names;
 }
 
-// Every link of the way has to be there before HDF5 may be asked for the next.
+// Every link of the way must exist before HDF5 may be asked for the next.
 bool ResultsReader::has(const std::string& object) const {
   const Silence silence;
   for (std::size_t end = object.find('/', 1);; end = object.find('/', end + 1)) {

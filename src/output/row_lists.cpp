@@ -20,9 +20,9 @@ std::vector<int> offsets_of(const std::vector<int>& count) {
 }  // namespace
 
 struct RowLists::Portion {
-  std::vector<LocalIndex> particles;    ///< of this rank whose rows are in the portion, ascending ids
-  int first_row = 0, last_row = 0;      ///< of the rows this rank holds
-  std::vector<int> to_rows, to_owners;  ///< [ranks] numbers in each direction
+  std::vector<LocalIndex> particles;    ///< particles of this rank whose rows are in the portion, ascending ids
+  int first_row = 0, last_row = 0;      ///< range among the rows that this rank holds
+  std::vector<int> to_rows, to_owners;  ///< [ranks] count of numbers in each direction
   std::size_t owned_values = 0, row_values = 0;
 };
 
@@ -114,7 +114,7 @@ void RowLists::refuse_unfit(const ParallelFile& file, const std::string& name,
     if (row % static_cast<std::size_t>(rows_a_portion_) == 0) in_portion = 0;
     in_portion += row_count[row];
     all += row_count[row];
-    // A portion's numbers are counted in int, as MPI does.
+    // A portion's numbers are counted in int, because MPI does so.
     sound = sound && row_count[row] >= 0 && in_portion <= std::numeric_limits<int>::max();
   }
   const GlobalId there = file.list_size(name + "/values");

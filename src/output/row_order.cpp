@@ -13,7 +13,7 @@ std::vector<int> offsets_of(const std::vector<int>& count) {
   return offset;
 }
 
-/// The rank that holds `row`: the guess total*r/ranks <= row is off by one at most.
+/// The rank that holds `row`. The guess total*r/ranks <= row is off by one at most.
 int holder_of(GlobalId row, int ranks, GlobalId total) {
   auto rank = static_cast<int>(row * ranks / total);
   while (rank > 0 && first_row_of(rank, ranks, total) > row) --rank;
@@ -80,7 +80,8 @@ std::vector<T> RowOrder::exchange(const Side& from, const Side& to, const T* val
     for (std::size_t c = 0; c < width; ++c)
       sent[slot * width + c] = values[static_cast<std::size_t>(from.place[slot]) * width + c];
 
-  // Counts stay in particles, not numbers, so that they fit an int in bodies of hundreds of millions a rank.
+  // Counts are in particles and not in numbers, so that they fit an int in bodies of hundreds of millions of particles
+  // a rank.
   MPI_Datatype particle = MPI_DATATYPE_NULL;
   MPI_Type_contiguous(components, type, &particle);
   MPI_Type_commit(&particle);

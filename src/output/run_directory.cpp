@@ -13,12 +13,12 @@ namespace perinox::output {
 namespace {
 namespace fs = std::filesystem;
 
-/// Every file a run, or a command on its results, leaves in the directory.
+/// All files that a run, or a command on its results, leaves in the directory.
 const std::vector<std::string> our_files = {
     "results.h5",  "results.xdmf", "history.csv", "convergence.csv",   "deck.resolved.yaml", "checkpoint.h5",
     "report.html", "picture.png",  "picture.svg", "results.xdmf.part", "checkpoint.h5.part", "results.h5.part"};
 
-/// Moves what is there of `files`; returns the sentence about it.
+/// Moves those of `files` that exist and returns the sentence about it.
 std::string move_aside(const fs::path& directory, const std::vector<std::string>& files) {
   fs::path aside;
   std::string first;
@@ -46,7 +46,7 @@ void require(const std::string& directory) {
         directory));
 }
 
-/// What `work`, done on rank 0, returns there; its refusal on every rank.
+/// Does `work` on rank 0 and returns its result there. If it refuses, every rank throws the refusal.
 template <class Work>
 std::string on_root(const std::string& directory, const Communicator& communicator, Work&& work) {
   std::string refusal;

@@ -36,10 +36,10 @@ struct RunWriter::Files {
   int current_step = 0;
   int committed_step = 0;  ///< the last one
   int attempt = 1;
-  int phases = 0;  ///< in time, over
+  int phases = 0;  ///< phases in time that are over
 
   std::optional<ResultsFile> results;
-  // On rank 0 only.
+  // The following exist on rank 0 only.
   std::optional<HistoryTable> history;
   std::optional<ConvergenceTable> convergence;
   std::optional<Terminal> terminal;
@@ -52,7 +52,7 @@ struct RunWriter::Files {
         asked_fields.push_back(field);
   }
 
-  /// The carried fields that were asked for, in the order asked; says once which are not there.
+  /// The carried fields that were asked for, in the order asked. It says once which of them are not there.
   std::vector<Field> chosen(const std::vector<Field>& carried) {
     std::vector<Field> fields;
     for (const std::string& name : asked_fields) {

@@ -15,10 +15,10 @@
 namespace perinox::output {
 
 namespace {
-/// Direct input and output wants addresses, offsets and lengths that are multiples of the disk's blocks: a page will
-/// do.
+/// Direct input and output needs addresses, offsets and lengths that are multiples of the disk's blocks. A page is such
+/// a multiple.
 constexpr std::size_t page = 4096, buffer_bytes = 256 * page;
-/// Below this a transfer of its own costs more than the cache.
+/// Below this size a transfer of its own costs more than the cache.
 constexpr std::uint64_t direct_from = 4 * buffer_bytes;
 }  // namespace
 
@@ -77,7 +77,7 @@ void Stretch::flush() {
 void Stretch::write_out(const char* buffer, std::uint64_t place, std::size_t from, std::size_t to) {
   checksum_ += output::checksum(buffer + from, to - from, next_word_);
   next_word_ += (to - from) / sizeof(double);
-  // Whole pages of this stretch alone go directly; what it shares a page with belongs to others.
+  // Whole pages that belong to this stretch alone are written directly. A page that it shares belongs to others too.
   const std::size_t first = std::min(to, (from + page - 1) / page * page), last = std::max(first, to / page * page);
   write(buffered_, buffer, place, from, first);
   if (last > first && direct_ >= 0) {

@@ -7,12 +7,12 @@
 
 namespace perinox::output {
 
-/// The Newton table as text, for one rank to print: a header a step, a line an iteration, and a line when the step is
-/// committed or rejected. With `redraw` a progress line (step, t, iteration, time left) stays at the bottom, redrawn in
-/// place; without it the text holds no control characters.
+/// Prints the Newton table as text, on one rank: a header a step, a line an iteration, and a line when the step is
+/// committed or rejected. With `redraw` a progress line (step, t, iteration, time left) stays at the bottom and is
+/// redrawn in place; without it the text holds no control characters.
 class Terminal {
  public:
-  /// seconds_between_moments: on the clock, between two lines of a motion.
+  /// seconds_between_moments: wall-clock seconds between two lines of a motion.
   Terminal(std::ostream& out, bool redraw, double seconds_between_moments = 2)
       : out_(out), redraw_(redraw), seconds_between_moments_(seconds_between_moments) {}
 
@@ -21,10 +21,10 @@ class Terminal {
   void bonds_broken(const BreakingPass& pass);
   void phase_begins(const MotionPhase& phase);
   void phase_ended(const MotionPhase& phase);
-  /// A line where the last one of the motion, its beginning or the last row is long enough ago.
+  /// Prints a line if the last one of the motion, its beginning or the last row is long enough ago.
   void moves(const MotionMoment& moment);
   void step_committed(const StepRecord& record);
-  /// A line of its own.
+  /// Prints a line of its own.
   void say(const std::string& line);
 
  private:
@@ -35,16 +35,16 @@ class Terminal {
   using Clock = std::chrono::steady_clock;
   double seconds_between_moments_;
   Clock::time_point last_ = Clock::now();
-  std::string progress_;   ///< what stands in the bottom line now
+  std::string progress_;   ///< text in the bottom line now
   std::string time_left_;  ///< known from the last committed step
   std::string end_;
 };
 
-/// True where standard output ends on a person's screen. A rank under mpirun always writes to a pseudo-terminal, even
-/// when mpirun's own output goes to a file; there mpirun's output decides.
+/// True if standard output ends on a person's screen. A rank under mpirun always writes to a pseudo-terminal, even when
+/// mpirun's own output goes to a file; mpirun's output then decides.
 bool screen_is_watched();
 
-/// `75 s` -> `1 min 15 s`; coarser as it grows.
+/// A duration in words: `75 s` -> `1 min 15 s`. It gets coarser as it grows.
 std::string duration(double seconds);
 
 }  // namespace perinox::output

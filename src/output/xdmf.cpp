@@ -55,7 +55,7 @@ XdmfIndex::XdmfIndex(std::string title, std::string h5_name, GlobalId particles)
     : title_(std::move(title)), h5_name_(std::move(h5_name)), particles_(particles) {}
 
 void XdmfIndex::add_step(int step, double t, const std::vector<FieldShape>& fields) {
-  // A row's number is its particle's id, so the ids are also the list of points that Polyvertex asks for.
+  // A row's number is its particle's id, so the ids also are the list of points that Polyvertex needs.
   steps_ += fmt::format(
       "      <Grid Name=\"step {0}\" GridType=\"Uniform\">\n        <Time Value=\"{1:.17g}\"/>\n"
       "        <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{2}\" NodesPerElement=\"1\">\n          {3}\n"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "energy_scale.hpp"
-#include "perinox/fracture/loose_pieces.hpp"
+#include "perinox/fracture/let_go.hpp"
 #include "perinox/stepping/hand_over.hpp"
 #include "perinox/stepping/load_stepper.hpp"
 
@@ -49,10 +49,12 @@ LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, equilibrium::Newt
     ++passes_;
 
     const std::vector<char> loose_before = boundary_.loose();
-    const bool loose = let_loose_go(observer);
+    const bool loose =
+        fracture::let_loose_go(scene_, boundary_, *breaking_, committed_.plastic(), {external_, external_}, observer)
+            .particles;
     mechanics::Trial trial;
     std::vector<double> force(scene_.owned_unknowns());
-    mechanics::internal_force(scene_, committed_, committed_.displacement().data(), trial, force.data());
+    mechanics::internal_force(*evaluation_, committed_, committed_.at(), trial, force.data());
     // Flow that the break sets off is the next solve's, and what it dissipates is still stored.
     std::vector<double> sums{trial.stored + trial.dissipated,
                              loads::loose_energy(scene_, loose_before, trial.stored_energy),
@@ -83,9 +85,7 @@ LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, equilibrium::Newt
     if (converged_) converged_(committed_, trial);
     const Energies before = energies_;
     commit(std::move(trial), std::move(force));
-    // Neither kinetic energy nor damping is in the model: what the fall has taken is gone.
-    energies_.relaxed += before.stored - energies_.stored + before.dissipated - energies_.dissipated +
-                         energies_.external_work - before.external_work;
+    energies_.relaxed += energies_.lost_since(before);
   }
 }
 
@@ -105,7 +105,7 @@ void LoadStepper::begin_phase(Observer& observer, double t, const Loss& loss, do
   row.reason = loss.reason;
   phase_.row = row;
   observer.phase_begins(row);
-  hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get(), passage_);
+  hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get(), passage_, evaluation_);
   hand_over_->begin(std::move(committed_), t, patience);
 }
 
@@ -120,11 +120,7 @@ std::string LoadStepper::finish_motion(Observer& observer, equilibrium::NewtonRe
     total = phase_.total;
     MotionPhase& row = phase_.row;
     const motion::MotionEnergies& e = result.energies;
-    energies_.stored = e.stored;
-    energies_.dissipated += e.dissipated;
-    energies_.external_work += e.external_work;
-    energies_.released += e.released;
-    energies_.damped += e.damped + e.kinetic + e.contact;
+    energies_.add_phase(e);
     motion_->time += result.time;
     motion_->time_steps += result.time_steps;
     if (motion_->phases++ == 0) motion_->cause = row.cause;
@@ -150,8 +146,7 @@ std::string LoadStepper::finish_motion(Observer& observer, equilibrium::NewtonRe
     if (found.converged) {
       const Energies before = energies_;
       commit(std::move(trial), std::move(force));
-      energies_.damped += before.stored - energies_.stored + before.dissipated - energies_.dissipated +
-                          energies_.external_work - before.external_work;
+      energies_.damped += energies_.lost_since(before);
       loss = breaking_ ? break_bonds(observer, total) : Loss();
       total.converged = true;
       if (loss.cause == LostEquilibrium::no) return "";
@@ -162,17 +157,6 @@ std::string LoadStepper::finish_motion(Observer& observer, equilibrium::NewtonRe
     phase_.total = total;
     begin_phase(observer, committed_.t(), loss, found.converged ? 1 : more_patience);
   }
-}
-
-bool LoadStepper::let_loose_go(Observer& observer) {
-  const fracture::LoosePieces found =
-      fracture::find_loose(scene_, boundary_, committed_.plastic(), {external_, external_});
-  breaking_->count_also(found);
-  for (const std::string& sentence : found.sentences) observer.note(sentence);
-  if (!scene_.body().communicator.any(std::any_of(found.loose.begin(), found.loose.end(), [](char c) { return c; })))
-    return false;
-  boundary_.let_go(found.loose);
-  return true;
 }
 
 }  // namespace perinox::stepping

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "perinox/core/restored.hpp"
-#include "perinox/fracture/loose_pieces.hpp"
+#include "perinox/fracture/let_go.hpp"
 #include "perinox/motion/stable_step.hpp"
 
 namespace perinox::stepping {
@@ -47,8 +47,13 @@ double passage_time(const deck::Deck& deck, const mechanics::Scene& scene, const
 }
 
 HandOver::HandOver(const deck::Deck& deck, mechanics::Scene& scene, loads::Boundary& boundary,
-                   fracture::BondBreaking* breaking, double passage)
-    : deck_(deck), scene_(scene), boundary_(boundary), breaking_(breaking), passage_(passage) {}
+                   fracture::BondBreaking* breaking, double passage, std::shared_ptr<mechanics::Evaluation> evaluation)
+    : deck_(deck),
+      scene_(scene),
+      boundary_(boundary),
+      breaking_(breaking),
+      passage_(passage),
+      evaluation_(std::move(evaluation)) {}
 
 void HandOver::make_motion(mechanics::Committed&& state, double rate) {
   motion::ExplicitMotion::Settings settings;
@@ -57,7 +62,7 @@ void HandOver::make_motion(mechanics::Committed&& state, double rate) {
   settings.rate = rate;
   settings.safety = motion::time_step_safety(deck_, scene_);
   motion_ = std::make_unique<motion::ExplicitMotion>(scene_, boundary_, motion::particle_masses(deck_, scene_),
-                                                     std::move(state), settings);
+                                                     std::move(state), settings, evaluation_);
 }
 
 void HandOver::begin(mechanics::Committed&& state, double t, double patience) {
@@ -98,7 +103,7 @@ void HandOver::advance(double dt) {
   motion_->step(dt);
   if (said.rate == 0 && motion_->time() >= passage_ * (1 - 1e-12)) motion_->go_on_at(to_, 0);
   if (said.rate > 0 && motion_->t() >= deck_.steps.end) motion_->go_on_at(deck_.steps.end, 0);
-  if (const long long broken = break_bonds(); broken > 0) {
+  if (const long long broken = breaking_ ? breaking_->break_all(*motion_) : 0; broken > 0) {
     result_.broken += broken;
     last_break_ = motion_->time();
   }
@@ -158,26 +163,12 @@ HandOver::Result HandOver::run(mechanics::Committed& state, Observer& observer, 
   return result_;
 }
 
-long long HandOver::break_bonds() {
-  if (!breaking_) return 0;
-  const long long broken = breaking_->break_all(*motion_);
-  if (broken > 0) motion_->bonds_have_broken();
-  return broken;
-}
-
 bool HandOver::let_loose_go(Observer& observer) {
   if (!breaking_) return false;
-  const fracture::LoosePieces found =
-      fracture::find_loose(scene_, boundary_, motion_->plastic(), {motion_->loads(), motion_->external()});
-  breaking_->count_also(found);
-  for (const std::string& sentence : found.sentences) observer.note(sentence);
-  const bool any = scene_.body().communicator.any(
-      std::any_of(found.loose.begin(), found.loose.end(), [](char c) { return c != 0; }));
-  if (found.broken > 0) motion_->bonds_have_broken();
-  if (!any) return found.broken > 0;
-  boundary_.let_go(found.loose);
-  motion_->supports_have_changed();
-  return true;
+  const fracture::LetGo changed =
+      fracture::let_loose_go(scene_, boundary_, *breaking_, motion_->plastic(), {motion_->loads(), motion_->external()},
+                             observer, motion_.get());
+  return changed.bonds || changed.particles;
 }
 
 }  // namespace perinox::stepping

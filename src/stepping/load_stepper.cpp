@@ -10,7 +10,6 @@
 #include "perinox/core/clock.hpp"
 #include "perinox/core/error.hpp"
 #include "perinox/equilibrium/arc_length.hpp"
-#include "perinox/fracture/loose_pieces.hpp"
 #include "perinox/loads/parts.hpp"
 #include "perinox/mechanics/path_work.hpp"
 
@@ -18,7 +17,7 @@ namespace perinox::stepping {
 
 std::unique_ptr<equilibrium::StepControl> LoadStepper::make_control() {
   if (deck_.steps.control == deck::Control::arc_length)
-    return std::make_unique<equilibrium::ArcLength>(deck_, scene_, boundary_, newton_);
+    return std::make_unique<equilibrium::ArcLength>(deck_, scene_, boundary_, newton_, *evaluation_);
   return std::make_unique<equilibrium::LoadSteps>(deck_, scene_, boundary_, newton_);
 }
 
@@ -26,7 +25,8 @@ LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
     : deck_(deck),
       scene_(scene),
       boundary_(deck, scene),
-      newton_(deck, scene, boundary_),
+      evaluation_(std::make_shared<mechanics::Evaluation>(scene)),
+      newton_(deck, scene, boundary_, evaluation_),
       control_(make_control()),
       committed_(scene),
       force_(scene.owned_unknowns(), 0.0),
@@ -36,7 +36,7 @@ LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
       records_(deck, scene),
       validity_(deck, scene) {
   if (deck.may_move()) motion_.emplace();
-  if (deck.breaks()) breaking_ = std::make_unique<fracture::BondBreaking>(deck, scene);
+  if (deck.breaks()) breaking_ = std::make_unique<fracture::BondBreaking>(deck, scene, evaluation_);
   if (!motion_ && !breaking_) return;
   const loads::Parts parts = loads::find_parts(deck, scene, boundary_);
   if (motion_) passage_ = passage_time(deck, scene, parts);
@@ -93,8 +93,7 @@ bool LoadStepper::go_down(Observer& observer, double t, equilibrium::NewtonResul
   control_->accept(committed_, trial);
   const Energies before = energies_;
   commit(std::move(trial), std::move(force));
-  const double lost = before.stored - energies_.stored + before.dissipated - energies_.dissipated +
-                      energies_.external_work - before.external_work;
+  const double lost = energies_.lost_since(before);
   energies_.relaxed += lost;
   observer.note(fmt::format("a stable equilibrium at t = {:.6g}: {:.4g} of energy lost on the way", t, lost));
   control_->jumped(committed_.t());
@@ -213,7 +212,7 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force, 
   std::optional<mechanics::PathWork> path;
   const bool snaps = followed && set_free(trial) > 0;
   lost_by_snapping_ = 0;
-  if (followed && !snaps) path.emplace(scene_, committed_, trial);
+  if (followed && !snaps) path.emplace(*evaluation_, committed_, trial);
   std::vector<double> external(scene_.owned_unknowns());
   boundary_.external_force(trial.t, external.data());
   // Outside forces on the body: the given ones, and on prescribed unknowns whatever balances the internal force.
@@ -236,17 +235,15 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force, 
 
   dilatation_ = std::move(trial.dilatation);
   stored_energy_ = std::move(trial.stored_energy);
-  committed_.advance(scene_, std::move(trial));
-  if (path) energies_.external_work += ranks.sum(path->beyond_chord(scene_, committed_));
+  committed_.advance(*evaluation_, std::move(trial));
+  if (path) energies_.external_work += ranks.sum(path->beyond_chord(*evaluation_, committed_));
   raise_energy_scale();
   force_ = std::move(force);
   external_ = std::move(external);
 }
 
 void LoadStepper::raise_energy_scale() {
-  energies_.scale = std::max({energies_.scale, std::abs(energies_.external_work), std::abs(energies_.stored),
-                              std::abs(energies_.dissipated),
-                              energy_of_rounding(scene_, committed_.displacement(), boundary_.loose())});
+  energies_.raise_scale(energy_of_rounding(scene_, committed_.displacement(), boundary_.loose()));
 }
 
 StepRecord LoadStepper::record(const equilibrium::NewtonResult& result, bool written) {

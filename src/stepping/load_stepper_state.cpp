@@ -84,7 +84,7 @@ void LoadStepper::restore_phase(StateReader& reader) {
   phase_.total.linear_iterations = restored_count(reader, "phase/linear_iterations");
   phase_.seconds = reader.number("phase/seconds");
   phase_.products = restored_integer(reader, "phase/products", 0, std::numeric_limits<long long>::max());
-  hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get(), passage_);
+  hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get(), passage_, evaluation_);
   hand_over_->restore(reader);
 }
 
@@ -144,7 +144,7 @@ void LoadStepper::restore(StateReader& reader) {
     motion_->time_steps = restored_integer(reader, "stepper/time_steps", 0, std::numeric_limits<long long>::max());
     phase_.row.number = count("stepper/phases");
   }
-  committed_.restore(scene_, reader);
+  committed_.restore(*evaluation_, reader);
   control_->restore(committed_, reader);
   if (reader.has(phase)) {
     committed_ = mechanics::Committed(scene_);  // the phase has it, and gives it back

@@ -138,7 +138,7 @@ bool TimeStepper::advance_to(double t, Observer& observer) {
   while (row_done_ < row_count_) {
     motion_->step(length_);
     ++row_done_;
-    if (breaking_ && breaking_->break_all(*motion_) > 0) motion_->bonds_have_broken();
+    if (breaking_) breaking_->break_all(*motion_);
     const bool end = row_done_ == row_count_;
     if (row_done_ % between_looks != 0 && !end) continue;
     motion_->gather_sums();

@@ -36,7 +36,7 @@ bool drawable(const Chart& chart, const Pair& p) {
          (!chart.y.logarithmic || p.y > 0);
 }
 
-/// The scale's ticks, unlabelled where the axis says where its labels stand.
+/// The scale's ticks. They have no labels where the axis says where its labels stand.
 std::vector<Tick> ticks_of(const Axis& axis, const Scale& scale) {
   std::vector<Tick> ticks = scale.ticks();
   if (axis.marked.empty()) return ticks;
@@ -87,7 +87,7 @@ class Pen {
     return extent.x_advance;
   }
 
-  /// align: 0 the text starts at x, 0.5 it is centred there, 1 it ends there.
+  /// Writes a text. align: 0 the text starts at x, 0.5 it is centred there, 1 it ends there.
   void text(const std::string& words, double x, double y, double size, double align) {
     const double shift = align * text_width(words, size);
     cairo_set_source_rgb(c_, 0.1, 0.1, 0.1);

@@ -1,5 +1,5 @@
 #pragma once
-/// Line charts by cairo: what is drawn does not depend on the kind of file.
+/// Line charts, drawn with cairo. The drawing does not depend on the kind of file.
 #include <string>
 #include <vector>
 
@@ -8,7 +8,7 @@
 namespace perinox::study {
 
 struct Curve {
-  std::string name;          ///< in the legend; empty: not there
+  std::string name;          ///< name in the legend; empty: not there
   std::vector<Pair> points;  ///< in the order in which they are joined
   enum class Style { line, dashed, rings } style = Style::line;
 };
@@ -16,7 +16,7 @@ struct Curve {
 struct Axis {
   std::string title;
   bool logarithmic = false;      ///< values that are not positive are not drawn
-  std::vector<double> marked{};  ///< where the labels stand; empty: at round numbers
+  std::vector<double> marked{};  ///< places of the labels; empty: at round numbers
 };
 
 struct Chart {
@@ -28,8 +28,8 @@ struct Chart {
   bool has_points() const;
 };
 
-/// Writes `path`.svg and `path`.png. Colours are those of Okabe and Ito, told apart with any kind of colour vision;
-/// each curve has a marker of its own too. Throws RunError if a file cannot be written.
+/// Writes `path`.svg and `path`.png. The colours are those of Okabe and Ito, which can be told apart with any kind of
+/// colour vision; each curve has a marker of its own too. Throws RunError if a file cannot be written.
 void draw(const Chart& chart, const std::string& path);
 
 }  // namespace perinox::study

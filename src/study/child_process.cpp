@@ -22,7 +22,7 @@ extern char** environ;
 namespace perinox::study {
 
 namespace {
-/// Variables by which an MPI program knows that it was started by mpirun.
+/// True for variables by which an MPI program knows that it was started by mpirun.
 bool belongs_to_mpirun(const char* variable) {
   for (const char* prefix : {"OMPI_COMM_WORLD", "OMPI_UNIVERSE", "OMPI_APP_CTX", "OMPI_FIRST_RANKS", "OMPI_NUM_APP_CTX",
                              "OMPI_FILE_LOCATION", "OMPI_ARGV", "OMPI_COMMAND", "OMPI_MCA_orte_", "OMPI_MCA_ess",

@@ -33,7 +33,7 @@ struct Prepared {
   PlannedRun run;
   std::string folder;
   std::string fingerprint;
-  std::optional<RunRecord> record;  ///< of an earlier run of the same
+  std::optional<RunRecord> record;  ///< record of an earlier run of the same
 };
 
 std::vector<Prepared> prepare(const Study& study, const Request& request, const deck::Schema& schema) {
@@ -57,8 +57,8 @@ std::vector<Prepared> prepare(const Study& study, const Request& request, const 
   return all;
 }
 
-/// A run of a study that was killed finishes its step before it ends, and writes into its folder until then. Throws
-/// InputError if that takes longer than a minute.
+/// Waits until nobody uses the folder. A run of a study that was killed finishes its step before it ends, and writes
+/// into its folder until then. Throws InputError if that takes longer than a minute.
 void wait_until_free(const std::string& folder, const std::string& deck) {
   constexpr int most_looks = 600;
   for (int looks = 0; looks < most_looks && output::DirectoryLock::held(folder); ++looks)
@@ -89,8 +89,8 @@ RunRecord run_in(const std::string& folder, const Study& study, const Prepared& 
   return record;
 }
 
-/// The cheapest of the repetitions is kept. Only a run that ended by itself gets a record; one ended from outside is
-/// tried again next time.
+/// Makes one run and keeps the cheapest of its repetitions. Only a run that ended by itself gets a record; one that was
+/// ended from outside is tried again next time.
 RunRecord run_one(const Study& study, const Prepared& one) {
   const std::string other = one.folder + ".repeat";
   RunRecord best = run_in(one.folder, study, one);
@@ -139,7 +139,8 @@ std::vector<double> residuals_of(const Study& study, const std::string& folder) 
   return residuals;
 }
 
-/// results.h5 that a measure of this run is compared with; "" if the run is the finest itself or there is none.
+/// The results.h5 with which a measure of this run is compared. It is "" if the run is the finest itself or there is
+/// none.
 std::string reference_of(const Study& study, const Measure& measure, const std::vector<Row>& rows, const Row& row,
                          const std::string& output) {
   if (measure.reference != "finest") return measure.reference;
@@ -154,7 +155,7 @@ std::string reference_of(const Study& study, const Measure& measure, const std::
   return finest == nullptr || finest == &row ? "" : output + "/runs/" + finest->run.name + "/results.h5";
 }
 
-/// What cannot be read or measured becomes the row's reason.
+/// Does `work`. What cannot be read or measured becomes the row's reason.
 template <class Work>
 void attempt(Row& row, const Work& work) {
   try {

@@ -1,4 +1,4 @@
-/// The keys of a study file.
+/// Declares the keys of a study file.
 #include "perinox/deck/key_forms.hpp"
 #include "perinox/study/study.hpp"
 
@@ -11,7 +11,7 @@ using deck::map_key;
 using deck::required;
 using deck::text_key;
 
-/// Keys of the deck and their values.
+/// A key that holds keys of the deck and their values.
 Key settings_key(std::string sentence) {
   Key key;
   key.name = "set";

@@ -14,7 +14,7 @@ namespace {
 bool starts_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
 bool continues_name(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// End of the number that begins at `begin`; its exponent is no name.
+/// End of the number that begins at `begin`. Its exponent is no name.
 std::size_t end_of_number(const std::string& text, std::size_t begin) {
   const auto digit = [&](std::size_t i) {
     return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i]));
@@ -34,7 +34,7 @@ bool is_function(const std::string& text, std::size_t after) {
   return after < text.size() && text[after] == '(';
 }
 
-/// As a formula says it, what is not finite too.
+/// A number as a formula writes it, also if it is not finite.
 std::string number_text(double value) {
   if (std::isfinite(value)) return deck::format_number(value);
   return std::isnan(value) ? "0/0" : value > 0 ? "1/0" : "-1/0";

@@ -13,7 +13,7 @@
 namespace perinox::study {
 
 namespace {
-/// One row of history.csv, by the names of its columns, and the sweeps.
+/// One row of history.csv by the names of its columns, and the numbers of the sweeps.
 Numbers numbers_of(const output::NumberTable& table, const std::vector<double>& row, const PlannedRun& run) {
   Numbers numbers = run.numbers;
   for (std::size_t c = 0; c < row.size(); ++c) numbers[table.names[c]] = row[c];
@@ -26,7 +26,7 @@ double value_of(const std::string& text, const Numbers& numbers, const Measure& 
 
 bool extreme(Take take) { return take != Take::end && take != Take::first && take != Take::last; }
 
-/// The formula's value in a row that others are compared with. One that is no number would hide the rest.
+/// The formula's value in a row that is compared with others. A value that is no number would hide the rest.
 double compared_value(const Measure& measure, const Numbers& numbers) {
   const double value = value_of(measure.history, numbers, measure);
   if (std::isfinite(value)) return value;
@@ -46,7 +46,7 @@ bool holds_in(const Measure& measure, const Numbers& numbers) {
                   measure.where, measure.name, numbers.at("step"), numbers.at("t")));
 }
 
-/// The rows that are looked at, in their order.
+/// The rows that the measure looks at, in their order.
 std::vector<Numbers> rows_of(const Measure& measure, const PlannedRun& run, const std::string& path) {
   const output::NumberTable table = output::read_table(path);
   std::vector<Numbers> rows;

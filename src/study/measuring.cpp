@@ -20,7 +20,7 @@ namespace perinox::study {
 namespace {
 const std::vector<std::string> place_and_time{"x", "y", "z", "t"};
 
-/// Columns of a field in results.h5, by its name.
+/// Number of columns of a field in results.h5, by its name.
 int columns_of(const std::string& field) {
   if (field == "displacement" || field == "force") return 3;
   return field == "stress" || field == "strain" ? 9 : 1;
@@ -37,7 +37,7 @@ output::ResultsReader::Step step_of(const output::ResultsReader& file, const Mea
   throw RunError(fmt::format("{} holds no step at t = {:g}, where {} is taken", path, *measure.at, measure.name));
 }
 
-/// Length: what comparisons of `where` take, as those of a set do.
+/// Slack of the comparisons in `where`, length, as a set's condition has it.
 double slack_of(const output::ResultsReader& file, const std::vector<double>& place,
                 const std::vector<double>& volume) {
   double largest = 0, coordinate = 0;
@@ -67,7 +67,7 @@ class ExactField {
     fit_.emplace(file.reference(), file.field(step.number, measure.field), columns, file.dimension());
   }
   bool compares(std::size_t component) const { return compared_[component]; }
-  /// Of each component.
+  /// The value of each component at a place.
   std::vector<double> at(const double* place, double t) const {
     std::vector<double> values;
     if (fit_) {

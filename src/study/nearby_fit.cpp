@@ -11,7 +11,7 @@ struct NearbyFit::Tree {
   std::vector<double> positions, values;
   int columns, dimension;
 
-  // What nanoflann asks of a set of points.
+  // The following members are those that nanoflann asks of a set of points.
   std::size_t kdtree_get_point_count() const { return positions.size() / 3; }
   double kdtree_get_pt(std::size_t point, std::size_t axis) const { return positions[point * 3 + axis]; }
   template <class Box>
@@ -57,7 +57,7 @@ std::vector<double> NearbyFit::at(const double* place) const {
       right(k, c) =
           weight * tree_->values[point * static_cast<std::size_t>(tree_->columns) + static_cast<std::size_t>(c)];
   }
-  // The solution of least norm where the points do not decide every term: near corners of thin bodies.
+  // This is the solution of least norm where the points do not decide every term, as near corners of thin bodies.
   const Eigen::MatrixXd fitted = terms.completeOrthogonalDecomposition().solve(right);
   std::vector<double> values(static_cast<std::size_t>(tree_->columns));
   for (int c = 0; c < tree_->columns; ++c) values[static_cast<std::size_t>(c)] = fitted(0, c);

@@ -4,9 +4,9 @@
 
 namespace perinox::study {
 
-/// Values of scattered points at any place: the quadratic that fits the nearest points best, weighted by the inverse
-/// square of their distance (moving least squares). Exact for quadratic fields where the points around do not lie on
-/// one conic.
+/// Values of scattered points at any place. It fits a quadratic to the nearest points, weighted by the inverse square
+/// of their distance (moving least squares). It is exact for quadratic fields where the points around do not lie on one
+/// conic.
 class NearbyFit {
  public:
   /// positions: [n * 3], the third zero in 2-D; values: [n * columns]; dimension 2 or 3.
@@ -15,7 +15,7 @@ class NearbyFit {
   NearbyFit(const NearbyFit&) = delete;
   NearbyFit& operator=(const NearbyFit&) = delete;
 
-  /// [columns] at a place of 3 coordinates.
+  /// Values at a place of 3 coordinates. [columns]
   std::vector<double> at(const double* place) const;
 
  private:

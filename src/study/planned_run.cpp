@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_runs = 10000;
 constexpr std::size_t longest_name = 120;
 
-/// A word that is safe as a part of a file's name.
+/// The text as a word that is safe as a part of a file's name.
 std::string plain(const std::string& text) {
   std::string result;
   for (const char c : text)

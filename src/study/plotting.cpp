@@ -18,7 +18,7 @@ bool is_cost(const std::string& column) {
   return std::find(cost_columns().begin(), cost_columns().end(), column) != cost_columns().end();
 }
 
-/// Errors are drawn by their size.
+/// The value that is drawn. Errors are drawn by their size.
 double shown(const Study& study, const Row& row, const std::string& column) {
   const double value = row.value(column);
   return is_error(study, column) ? std::abs(value) : value;
@@ -39,7 +39,7 @@ std::string axis_title(const Study& study, const std::string& column) {
   return title;
 }
 
-/// Rows that differ in sweep `along` only, in the rows' order, with what they have in common.
+/// The rows that differ in sweep `along` only, in the rows' order, with what they have in common.
 struct Series {
   std::string name;
   std::vector<const Row*> rows;
@@ -72,7 +72,7 @@ bool all_positive(const Study& study, const std::vector<Row>& rows, const std::s
   return any;
 }
 
-/// The values of a sweep of few, in rising order: the labels of its axis.
+/// The values of a sweep of few, in rising order. They are the labels of its axis.
 std::vector<double> marks_of(const Study& study, const std::string& column) {
   constexpr std::size_t most = 8;
   std::vector<double> marks;
@@ -119,7 +119,7 @@ Plot plot_of(const Study& study, const std::vector<Row>& rows, const PlotRequest
   Chart& chart = plot.chart;
   chart.title = study.title;
   chart.x = {axis_title(study, request.x), all_positive(study, rows, request.x), marks_of(study, request.x)};
-  // An error of exactly nothing is left out of the picture rather than making its axis linear.
+  // An error of exactly zero is left out of the picture, because it would make the axis linear.
   chart.y = {axis_title(study, request.y), is_error(study, request.y) || all_positive(study, rows, request.y), {}};
   std::size_t along = first_numeric(study);
   for (std::size_t s = 0; s < study.sweep.size(); ++s)

@@ -9,7 +9,7 @@ namespace perinox::study {
 
 /// Table and findings for the terminal.
 std::string terminal_report(const Study& study, const std::vector<Row>& rows, const std::vector<Plot>& plots);
-/// study.md: the table, the plots with what they mean, where the runs are.
+/// Text of study.md: the table, the plots with what they mean, and where the runs are.
 std::string page(const Study& study, const std::vector<Row>& rows, const std::vector<Plot>& plots);
 
 }  // namespace perinox::study

@@ -32,7 +32,7 @@ deck::Key record_key() {
                         required(deck::integer_key("bonds", 0, 9e18, "", "Directed bonds."))});
 }
 
-/// FNV-1a, 64 bits, over words of eight bytes where a file is large: only equality matters.
+/// FNV-1a hash of 64 bits. Large files are taken in words of eight bytes, because only equality matters.
 class Hash {
  public:
   void add(const std::string& text) {
@@ -68,7 +68,7 @@ std::string text_of(const fs::path& path) {
   return text.str();
 }
 
-/// The program does not change while it runs.
+/// Hash of the program, taken once because the program does not change while it runs.
 const std::string& program_hash() {
   static const std::string hash = [] {
     Hash own;

@@ -9,25 +9,25 @@ struct Tick {
   std::string label;  ///< empty: a minor tick
 };
 
-/// 0.01 rather than 1e-2, but 1e-6.
+/// Text of a tick: 0.01 rather than 1e-2, but 1e-6.
 std::string tick_label(double value);
 
-/// From values to lengths along an axis.
+/// Maps values to lengths along an axis.
 class Scale {
  public:
-  /// The range is widened: by 6 % of its length, and where it is empty to something that can be drawn.
+  /// Widens the range by 6 % of its length, and where it is empty to something that can be drawn.
   Scale(double smallest, double largest, bool logarithmic);
 
   bool logarithmic() const { return logarithmic_; }
-  /// 0 at the lower end, 1 at the upper.
+  /// Position of a value: 0 at the lower end, 1 at the upper.
   double position(double value) const;
-  /// Logarithmic: decades, with 2 and 5 labelled where there are few, and every digit as a minor tick. Linear: steps of
-  /// 1, 2 or 5 times a power of ten.
+  /// Ticks of the axis. A logarithmic one has decades, with 2 and 5 labelled where there are few, and every digit as a
+  /// minor tick. A linear one has steps of 1, 2 or 5 times a power of ten.
   std::vector<Tick> ticks() const;
 
  private:
   bool logarithmic_;
-  double low_, high_;  ///< of the logarithm, where it is one
+  double low_, high_;  ///< of the logarithm on a logarithmic axis
 };
 
 }  // namespace perinox::study

@@ -116,7 +116,7 @@ Measure measure_of(const Value& value, const fs::path& folder) {
   return measure;
 }
 
-/// Names of columns are unique, and names of sweeps are none of a formula's own.
+/// Checks that names of columns are unique and that names of sweeps are none that a formula has itself.
 void check_names(const Study& study) {
   std::set<std::string> names{"run", "status", "reason"};
   for (const std::string& cost : cost_columns()) names.insert(cost);

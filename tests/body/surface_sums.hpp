@@ -1,5 +1,5 @@
 #pragma once
-/// What loads of one on a body's surface come to.
+/// Sums of loads of one on a body's surface.
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +9,9 @@
 namespace perinox::body::fixture {
 
 struct SurfaceSums {
-  double size = 0;           ///< of what tractions act on
+  double size = 0;           ///< area on which tractions act
   deck::Point area{};        ///< the vector of area
-  double moment[3][3] = {};  ///< sum of x (x) vector of area; of a closed surface volume times the unit tensor
+  double moment[3][3] = {};  ///< sum of x (x) vector of area; for a closed surface volume times the unit tensor
   double resultant() const { return std::max({std::abs(area[0]), std::abs(area[1]), std::abs(area[2])}); }
 };
 

@@ -1,4 +1,4 @@
-/// Point clouds and the reading of CSV files: what is accepted, and where the rest is refused.
+/// Tests point clouds and the reading of CSV files: what is accepted, and where the rest is refused.
 #include <limits>
 
 #include "body/cloud.hpp"

@@ -1,4 +1,4 @@
-/// Parts of cells that a shape's surface leaves.
+/// Tests the parts of cells that a shape's surface leaves.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -27,7 +27,7 @@ TEST(CutCells, AreNoneWhereCellsFillTheBox) {
   }
 }
 
-/// Sides of 8.5, 4.5 and 3.7 cells were 2.4, 4.5 and 5.5 % too big.
+/// Boxes with sides of 8.5, 4.5 and 3.7 cells were once 2.4, 4.5 and 5.5 % too big.
 TEST(CutCells, OfBoxesAreExact) {
   for (const double side : {8.5, 4.5, 3.7, 3.1, 10.4, 0.3})
     for (const double offset : {0.0, 1.0 / 3, 7777.7}) {
@@ -50,7 +50,7 @@ TEST(CutCells, AreAsManyWhereverTheBodyIs) {
   }
 }
 
-/// Parts moved against the lattice by any share of a cell.
+/// The parts are moved against the lattice by any share of a cell.
 TEST(CutCells, OfUnionsAndDifferencesOfBoxesAreExact) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> some(0, 1);
@@ -97,7 +97,8 @@ TEST(CutCells, OfCurvedShapes) {
   }
 }
 
-/// Two balls, a ball with a bore, two cylinders that cross at right angles (Steinmetz), and a tube in the plane.
+/// The shapes are two balls, a ball with a bore, two cylinders that cross at right angles (Steinmetz), and a tube in
+/// the plane.
 TEST(CutCells, OfCurvedShapesTogether) {
   const double cap = pi * 2 * 2 * (3 * 5 - 2) / 3;  // of a ball of radius 5, 2 high
   for (const double x : {0.0, 0.3}) {

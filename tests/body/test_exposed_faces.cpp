@@ -1,4 +1,4 @@
-/// Faces of the surface of a lattice body, and the loads they carry.
+/// Tests the faces of the surface of a lattice body, and the loads they carry.
 #include <gtest/gtest.h>
 
 #include <numeric>

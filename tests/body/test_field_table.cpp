@@ -1,4 +1,4 @@
-/// Displacement tables: matching rows to particles, times, refusals.
+/// Tests displacement tables: how rows match particles, times, refusals.
 #include <fmt/format.h>
 
 #include "perinox/body/field_table.hpp"
@@ -12,7 +12,7 @@ using ::testing::StartsWith;
 
 const deck::Location asked{"deck.yaml", 12, 9};
 
-/// Rows of every particle of a 2 x 2 x 1 block at one time: u = factor (1, 2, 3) (id + 1).
+/// Rows of every particle of a 2 x 2 x 1 block at one time, with u = factor (1, 2, 3) (id + 1).
 std::string rows(double factor, const std::string& time = "") {
   std::string text;
   for (int id = 3; id >= 0; --id) {

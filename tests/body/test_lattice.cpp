@@ -1,4 +1,4 @@
-/// Shapes and the lattices in them: where particles are, how many, what is refused.
+/// Tests shapes and the lattices in them: where particles are, how many, what is refused.
 #include <cmath>
 #include <limits>
 #include <set>
@@ -42,7 +42,7 @@ TEST(Lattice, LengthThatIsNoMultipleOfTheSpacingIsCentred) {
   EXPECT_DOUBLE_EQ(body.volume[0], 27);
 }
 
-/// Decimal spacings are not exact in binary: no layer may be lost or gained. [edge / spacing is whole]
+/// Decimal spacings are not exact in binary, but no layer may be lost or gained. Edge over spacing is whole here.
 TEST(Lattice, BoxKeepsEveryCell) {
   for (const double spacing : {0.1, 0.3, 0.7, 1e-3 / 3, 1e7 / 3, 0.123456789}) {
     for (const int cells : {1, 2, 7, 20}) {
@@ -68,7 +68,7 @@ TEST(Lattice, FlatBodiesIgnoreThirdCoordinateAndHaveAreas) {
   EXPECT_EQ(body.position3(63), (Point{3.75, 3.75, 0}));
 }
 
-/// Volume of particles against the exact one. Measured relative errors stand beside the tolerance.
+/// Compares the volume of the particles with the exact one. Measured relative errors stand beside the tolerance.
 TEST(Lattice, VolumesOfShapes) {
   struct Case {
     const char* name;
@@ -103,7 +103,7 @@ TEST(Lattice, VolumesOfShapes) {
   }
 }
 
-/// Centres on the very surface count alike on all sides, whatever rounding says.
+/// Centres on the very surface count alike on all sides, however coordinates are rounded.
 TEST(Lattice, SymmetricShapesHaveSymmetricParticles) {
   const Body body = body_of(deck_of(deck::Sphere{{0.1, 0.1, 0}, 2.5}, deck::Dimension::plane_strain, 0.1));
   std::set<std::pair<long, long>> cells;

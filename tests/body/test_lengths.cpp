@@ -24,7 +24,7 @@ TEST(Lengths, ASpacingLargerThanTheBodyIsRefusedAtTheSpacing) {
       sentence,
       "deck.yaml:6:14: the spacing 50 is larger than the whole body block, whose longest side is 4; make it a tenth "
       "of that or less, or check that both are in the same unit");
-  // The horizon is not to blame where the spacing is.
+  // The horizon is not to blame if the spacing is wrong.
   EXPECT_EQ(refusal_of(placed_deck({{0, 0, 0}, {3, 3, 4}}, 50), 3), sentence);
 }
 
@@ -35,8 +35,8 @@ TEST(Lengths, AHorizonShorterThanTheSpacingIsRefusedAtTheHorizon) {
       "neighbours; a horizon of 3 spacings is usual: make it 3, or the spacing smaller");
 }
 
-/// One particle in its own cell, far from the origin where the cell's length has lost digits; a thin layer; a horizon
-/// of one spacing.
+/// These lengths fit: one particle in its own cell, far from the origin where the cell's length has lost digits; a thin
+/// layer; a horizon of one spacing.
 TEST(Lengths, OthersFit) {
   const std::string none = "nothing was refused";
   EXPECT_EQ(refusal_of(placed_deck({{500000.5, 4600000.5, 0}, {500000.6, 4600000.6, 0.1}}, 0.1), 0.3), none);

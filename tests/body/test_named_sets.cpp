@@ -1,4 +1,4 @@
-/// Named sets of particles.
+/// Tests named sets of particles.
 #include <fmt/format.h>
 
 #include "support/bodies.hpp"
@@ -25,12 +25,12 @@ TEST(Sets, ByCondition) {
   deck::Deck deck = cube(3);
   add_set(deck, "corner", deck::SetWhere{deck::Expression("x < 1 && y < 1 && z < 2", {"deck.yaml", 20, 3})});
   EXPECT_THAT(build_body(deck).sets.at("corner"), ElementsAre(0, 9));
-  // What is asked first keeps the rest from being asked where it has no value.
+  // A comparison that comes first keeps the rest from being evaluated where it has no value.
   add_set(deck, "half", deck::SetWhere{deck::Expression("x > 2 && sqrt(x - 2) < 9", {"deck.yaml", 20, 3})});
   EXPECT_EQ(build_body(deck).sets.at("half").size(), 9U);
 }
 
-/// A box's face through particle centres takes them in, on all sides, even where 0.1 + 0.2 is not 0.3.
+/// A box's face through particle centres includes them, on all sides, even where 0.1 + 0.2 is not 0.3.
 TEST(Sets, BoxIncludesItsSurface) {
   deck::Deck deck = cube(0.4, 0.1);
   add_set(deck, "inner", deck::SetBox{{0.15, 0.15, 0.15}, {0.1 + 0.15, 0.25, 0.25}});
@@ -40,7 +40,7 @@ TEST(Sets, BoxIncludesItsSurface) {
   EXPECT_EQ(body.sets.at("below").size(), 4U);
 }
 
-/// With h = 0.1 rounding took three rows for y <= 0.35 and four for y >= 0.65.
+/// With h = 0.1 rounding once took three rows for y <= 0.35 and four for y >= 0.65.
 TEST(Sets, ConditionsTakeWholeRowsAtTheirBounds) {
   for (const double offset : {0.0, 0.7, 4600000.5}) {
     deck::Deck deck = deck_of(deck::Box{{0, offset, 0}, {1, offset + 1, 0}}, deck::Dimension::plane_strain, 0.1);

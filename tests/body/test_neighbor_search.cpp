@@ -1,4 +1,4 @@
-/// The k-d tree against a search over all pairs.
+/// Compares the k-d tree with a search over all pairs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -41,7 +41,7 @@ TEST(NeighborSearch, FindsWhatAllPairsFind) {
   }
 }
 
-/// On a lattice whose coordinates are not exact, neighbours at exactly the radius are all in.
+/// On a lattice whose coordinates are not exact, neighbours at exactly the radius must all be inside.
 TEST(NeighborSearch, PointsAtExactlyTheRadiusAreInside) {
   std::vector<double> points;
   for (int z = 0; z < 7; ++z)

@@ -1,4 +1,4 @@
-/// Bodies that overlap: refused, or the later one wins; what only touches is left alone.
+/// Bodies that overlap are refused, or the later one wins. Bodies that only touch are left alone.
 #include <cmath>
 
 #include "perinox/body/overlap.hpp"
@@ -61,7 +61,7 @@ TEST(Overlap, OfACloud) {
   EXPECT_EQ(build_body(deck).total, 503);
 }
 
-/// Volumes add up to what the shapes cover together, and the order says whose the common part is.
+/// Volumes add up to what the shapes cover together, and the order says which body has the common part.
 TEST(Overlap, TheLaterBodyWins) {
   const auto volumes = [](const std::string& first, const std::string& second) {
     const deck::Deck deck = deck::read_text(R"(

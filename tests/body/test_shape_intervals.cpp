@@ -1,4 +1,4 @@
-/// Parts of straight segments inside shapes.
+/// Tests the parts of straight segments inside shapes.
 #include <cmath>
 #include <random>
 
@@ -12,7 +12,7 @@ namespace {
 
 using deck::Point;
 
-/// Sum of the lengths, of intervals given one by one; largest difference from what is expected.
+/// Largest difference between the ends of the intervals found and expected; 1e300 if their numbers differ.
 double off(const Intervals& found, const Intervals& expected) {
   if (found.size() != expected.size()) return 1e300;
   double largest = 0;
@@ -31,7 +31,7 @@ TEST(ShapeIntervals, OfEveryShape) {
   EXPECT_LE(off(in(deck::Box{{0, 0, 0}, {4, 2, 2}}, {-1, 1, 1}, {7, 1, 1}), {{0.125, 0.625}}), bound);
   EXPECT_LE(off(in(deck::Sphere{{0, 0, 0}, 5}, {-10, 3, 0}, {10, 3, 0}), {{0.3, 0.7}}), bound);
   EXPECT_LE(off(in(deck::Sphere{{0, 0, 9}, 5}, {-10, 3, 0}, {10, 3, 0}, 2), {{0.3, 0.7}}), bound);
-  // A cylinder askew, along its own axis and across it.
+  // A cylinder askew is cut along its own axis and across it.
   const deck::Cylinder askew{{1, 2, 3}, {4, 6, 3}, 2};
   EXPECT_LE(off(in(askew, {-2, -2, 3}, {7, 10, 3}), {{1.0 / 3, 2.0 / 3}}), bound);
   EXPECT_LE(off(in(askew, {2.5, 4, -1}, {2.5, 4, 7}), {{0.25, 0.75}}), bound);
@@ -40,7 +40,7 @@ TEST(ShapeIntervals, OfEveryShape) {
   EXPECT_LE(off(in(plate, {0, 4, 0.5}, {8, 4, 0.5}), {{0, 0.25}, {0.75, 1}}), bound);
   EXPECT_LE(off(in(plate, {0, 4, 0}, {8, 4, 0}, 2), {{0, 0.25}, {0.75, 1}}), bound);
   EXPECT_TRUE(in(plate, {4, 4, -1}, {4, 4, 2}).empty());
-  // A slit of 0.2 through a plate, and two boxes that touch.
+  // The next shapes are a slit of 0.2 through a plate, and two boxes that touch.
   const auto slit = difference({box({0, 0, 0}, {10, 10, 0}), box({4, 4.9, 0}, {11, 5.1, 0})});
   EXPECT_LE(off(in(slit, {6, 4, 0}, {6, 6, 0}, 2), {{0, 0.45}, {0.55, 1}}), bound);
   EXPECT_LE(off(in(slit, {2, 4, 0}, {2, 6, 0}, 2), {{0, 1}}), 0);
@@ -61,7 +61,7 @@ TEST(ShapeIntervals, TouchingIsInside) {
   EXPECT_LE(off(intervals_inside(cut, {0, 2, 2}, {2, 0, 2}, 3), {{0, 1}}), bound);            // through its near edge
 }
 
-/// What comes of points one by one, at coordinates of 1e6 too.
+/// The intervals must agree with a test of points one by one, also at coordinates of 1e6.
 TEST(ShapeIntervals, AreWherePointsAreInside) {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> place(-1, 4);

@@ -1,4 +1,4 @@
-/// What cannot be computed is refused before anything is allocated for it, with the estimate.
+/// Scenes that cannot be computed are refused before anything is allocated for them, with the estimate.
 #include "body/size.hpp"
 #include "support/bodies.hpp"
 
@@ -34,7 +34,7 @@ TEST(Size, FewParticlesAreCountedAndManyEstimated) {
   EXPECT_EQ(about_particles(block(10, 1).body[0], 3), 1000);
   deck::Deck ball = block(1, 0.01);
   ball.body[0].shape.form = deck::Sphere{{0, 0, 0}, 1};
-  // 4 pi/3 1e6 centres; measured: 0.9986 of them.
+  // The exact number is 4 pi/3 1e6 centres; measured: 0.9986 of them.
   EXPECT_NEAR(about_particles(ball.body[0], 3) / 4.18879e6, 1, 0.02);
 }
 

@@ -1,4 +1,4 @@
-/// Loads on the surfaces of shapes: closed surfaces net nothing, and projected areas are what they are.
+/// Tests loads on the surfaces of shapes: on closed surfaces they cancel, and projected areas are exact.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -23,8 +23,8 @@ void add_cut_body(deck::Deck& deck, const std::string& name, decltype(deck::Shap
   add_body(deck, name, std::move(form), spacing);
   deck.body.back().cut_cells = true;
 }
-/// A closed surface: what a pressure on it comes to, and what it does to a uniform strain; spans: no part of the body
-/// is one particle thick, where no particles could carry the moments.
+/// Checks a closed surface: the resultant of a pressure on it, and its work on a uniform strain. spans: no part of the
+/// body is one particle thick, where no particles could carry the moments.
 void expect_closed(const char* what, const deck::Deck& deck, bool spans = true) {
   const Body body = build_body(deck);
   const SurfaceSums sums = sums_of(deck, body);
@@ -56,7 +56,7 @@ TEST(SurfaceLoads, OnABall) {
   }
 }
 
-/// Loaded from both sides along x the stress across was 0.
+/// When the disc was loaded from both sides along x, the stress across was once 0.
 TEST(SurfaceLoads, OnBothHalvesOfADisc) {
   const deck::Deck deck = cut(deck::Sphere{{0.1, 0.2, 0}, 5}, 0.5, plane);
   const Body body = build_body(deck);
@@ -72,7 +72,7 @@ TEST(SurfaceLoads, OnBothHalvesOfADisc) {
                 1e-11);
 }
 
-/// The end of an oblique cylinder had four times its area.
+/// The end of an oblique cylinder once had four times its area.
 TEST(SurfaceLoads, OnTheEndOfAnObliqueCylinder) {
   const Point axis = unit({3, 2, 6});
   const deck::Deck deck = cut(deck::Cylinder{{0, 0, 0}, {9, 6, 18}, 4}, 1);
@@ -84,7 +84,7 @@ TEST(SurfaceLoads, OnTheEndOfAnObliqueCylinder) {
 }
 
 TEST(SurfaceLoads, OfBoxesThatTouchAtAnotherSpacing) {
-  // What the two plates carry: the interface between them is none.
+  // Two plates that touch at different spacings: their interface carries nothing.
   for (const double h : {0.5, 1.0 / 3, 0.7, 1.0})
     for (const bool cells : {true, false}) {
       deck::Deck deck = cut(deck::Box{{0, 0, 0}, {6, 6, 0}}, 1, plane);
@@ -114,7 +114,7 @@ TEST(SurfaceLoads, OfAPinInAHole) {
   }
 }
 
-/// Pressure into gaps of 0.1 to 0.49 h vanished.
+/// Pressure into gaps of 0.1 to 0.49 h once vanished.
 TEST(SurfaceLoads, IntoNarrowGaps) {
   for (const double gap : {1e-6, 0.1, 0.3, 0.49, 0.6})
     for (const bool bonded : {true, false}) {
@@ -130,7 +130,7 @@ TEST(SurfaceLoads, IntoNarrowGaps) {
     }
 }
 
-/// One lip of a slit half a cell wide: the other lip carries nothing of it.
+/// Loads one lip of a slit half a cell wide. The other lip carries nothing of it.
 TEST(SurfaceLoads, IntoASlit) {
   deck::Deck deck = cut(difference({box({0, 0, 0}, {12, 12, 0}), box({-1, 5.75, 0}, {6, 6.25, 0})}), 1, plane);
   add_set(deck, "lip", deck::SetWhere{deck::Expression("y > 5 && y < 6 && x < 6", {"deck.yaml", 20, 3})});
@@ -155,7 +155,7 @@ TEST(SurfaceLoads, SayWhyThereAreNone) {
             "deck.yaml:3:5: no exposed face of the set looks the way facing says; turn it round or change the set");
 }
 
-/// With boundary_cells: whole a surface is made of steps, which stand for the true one behind them.
+/// With boundary_cells: whole a surface is made of steps, which stand for the true surface behind them.
 TEST(SurfaceLoads, OnSteps) {
   deck::Deck deck = cut(deck::Sphere{{0, 0, 0}, 10.3}, 1);
   deck.body[0].cut_cells = false;
@@ -168,7 +168,7 @@ TEST(SurfaceLoads, OnSteps) {
       0.05);
 }
 
-/// Parts in random places, of boxes, balls and cylinders, whose surfaces meet and coincide.
+/// Boxes, balls and cylinders in random places, whose surfaces meet and coincide.
 TEST(SurfaceLoads, OnAnyClosedSurfaceNetNothing) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> some(0, 1);

@@ -44,7 +44,7 @@ TEST(Components, BodiesWithoutBondsBetweenThemAreApart) {
   EXPECT_EQ(components_of(deck).particles, (std::vector<long long>{64, 32}));
 }
 
-/// A graph needs no stored bonds: pairs 0-1, 2-3, ... in descending order of discovery.
+/// A graph needs no stored bonds. This one has the pairs 0-1, 2-3, ... in descending order of discovery.
 TEST(Components, TakeAnyGraph) {
   body::Body body = build_body(cube(4), Communicator(MPI_COMM_SELF));
   const Components pairs =

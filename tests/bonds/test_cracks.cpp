@@ -1,4 +1,4 @@
-/// Pre-cracks: which bonds they cut, the damage they leave, the rule for particles in the crack's plane.
+/// Tests pre-cracks: which bonds they cut, the damage they leave, and the rule for particles in the crack's plane.
 #include <cmath>
 #include <random>
 
@@ -24,7 +24,7 @@ TEST(Cracks, AWholePlaneHalvesTheBody) {
   const auto alone = build_bonds(half);
   EXPECT_EQ(bonds.count(), 2 * alone.bonds.count());
   EXPECT_EQ(bonds.cut, build_bonds(cube(6)).bonds.count() - bonds.count());
-  // m of what remains is that of a free surface there.
+  // m of the remaining bonds is that of a free surface at that place.
   EXPECT_DOUBLE_EQ(bonds.weighted_volume[0], alone.bonds.weighted_volume[0]);
   const double uncut = build_bonds(cube(6)).bonds.weighted_volume[0];
   const double error = std::abs(bonds.damage[0] - (1 - bonds.weighted_volume[0] / uncut));
@@ -42,7 +42,7 @@ TEST(Cracks, DamageIsTheShareOfTheWeightedVolume) {
       StartsWith("deck.yaml:4:5: particle 2 at (2, 0, 0) has lost all its bonds to pre-cracks; move the cracks"));
   const body::fixture::TextFile longer("row.csv", "x,y,z,volume\n0,0,0,1\n1,0,0,1\n2,0,0,1\n3,0,0,1\n");
   const auto [body, bonds] = build_bonds(deck);
-  // Particle 0: bonds of length 1 (kept) and 2 (cut): 4 of 5 parts of omega xi^2.
+  // Particle 0 has bonds of length 1 (kept) and 2 (cut), so 4 of 5 parts of omega xi^2 are cut.
   EXPECT_DOUBLE_EQ(bonds.damage[0], 0.8);
   EXPECT_DOUBLE_EQ(bonds.weighted_volume[0], 1);
   EXPECT_DOUBLE_EQ(bonds.damage[1], 5.0 / 6);
@@ -65,7 +65,7 @@ TEST(Cracks, FlatBodiesAreCutWhereTheSurfaceMeetsTheirPlane) {
   for (const auto& neighbors : found) EXPECT_EQ(neighbors, found[0]);
 }
 
-/// A point on the surface would be on neither side; bonds of points in its plane beyond it are whole.
+/// A point on the surface would be on neither side. Bonds of points in its plane beyond it are whole.
 TEST(Cracks, APointOnTheSurfaceIsOnNeitherSide) {
   const CrackSurface disc(crack_of(deck::CrackDisc{{0, 0, 0}, {0, 0, 2}, 1}), 1e-9);
   EXPECT_TRUE(disc.holds({0, 0, 0}));
@@ -99,7 +99,7 @@ TEST(Cracks, TheEdgeCutsAndBeyondItNothing) {
   EXPECT_FALSE(disc.cuts({0.6, 0.801, -1}, {0.6, 0.801, 1}));
 }
 
-/// Both directions of a bond agree, near edges and in the plane too.
+/// Both directions of a bond agree, also near edges and in the plane.
 TEST(Cracks, BothDirectionsAgree) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<double> place(-1, 1);
@@ -122,8 +122,8 @@ TEST(Cracks, BothDirectionsAgree) {
   EXPECT_GT(cut, 1000);
 }
 
-/// Directed bonds of a 12 by 12 lattice of spacing 1 that cross the segment (off, 0)-(6 + off, 6), from the signs of
-/// cross products.
+/// Number of directed bonds of a 12 by 12 lattice of spacing 1 that cross the segment (off, 0)-(6 + off, 6), from the
+/// signs of cross products.
 long long crossing_a_diagonal(double off) {
   const auto above = [&](double x, double y) { return y - (x - off) > 0; };
   long long count = 0;
@@ -139,8 +139,8 @@ long long crossing_a_diagonal(double off) {
   return count;
 }
 
-/// A crack through particle centres would take one side or the other by a rounding: it is refused wherever it lies and
-/// however it is written, and a quarter of a spacing off it is not.
+/// A crack through particle centres would take one side or the other by rounding. It is refused wherever it lies and
+/// however it is written; a quarter of a spacing off it is not.
 TEST(Cracks, ThroughCentresAreRefused) {
   const double far_x = 500000.5, far_y = 4600000.5;
   const long long crossing = crossing_a_diagonal(0.25);

@@ -1,4 +1,4 @@
-/// Families, influence functions, quadratures and weighted volumes on lattices whose counts are known.
+/// Tests families, influence functions, quadratures and weighted volumes on lattices whose counts are known.
 #include <cmath>
 
 #include "support/bodies.hpp"
@@ -21,10 +21,10 @@ struct LatticeCase {
   double ratio;
   deck::Quadrature quadrature;
   int family;
-  double moment_ratio;  ///< m over the continuum's; 0: not looked at
+  double moment_ratio;  ///< m over the continuum's; 0: not tested
 };
 
-/// Neighbours of an inner particle of a cubic lattice, and m over its continuum value 4 pi d^5 / 5.
+/// Tests the neighbours of an inner particle of a cubic lattice, and m over its continuum value 4 pi d^5 / 5.
 TEST(Families, CubicLatticeCounts) {
   const auto whole = deck::Quadrature::whole, partial = deck::Quadrature::partial_volume;
   const std::vector<LatticeCase> cases = {
@@ -56,7 +56,7 @@ TEST(Families, SquareLatticeCounts) {
   }
 }
 
-/// A horizon of exactly 3 spacings takes the neighbours at 3 spacings in, at any scale.
+/// A horizon of exactly 3 spacings includes the neighbours at 3 spacings, at any scale.
 TEST(Families, NeighboursAtExactlyTheHorizonAreIn) {
   for (const double spacing : {1.0, 0.1, 1e-3 / 3, 0.7e6}) {
     deck::Deck deck = cube(7 * spacing, spacing);
@@ -134,7 +134,7 @@ TEST(Influence, Values) {
   EXPECT_NEAR(influence_value(deck::Influence::polynomial, 1e-9, 2), 1, 1e-15);
 }
 
-/// The closed forms against the midpoint rule on 20000 shells. Measured: at most 2.1e-9 relative.
+/// Compares the closed forms with the midpoint rule on 20000 shells. Measured: at most 2.1e-9 relative.
 TEST(Influence, ContinuumWeightedVolumes) {
   const double horizon = 1.7;
   for (const auto kind : {deck::Influence::constant, deck::Influence::inverse, deck::Influence::polynomial}) {
@@ -177,7 +177,7 @@ TEST(Families, BodiesAreBondedUnlessAskedNotTo) {
   EXPECT_EQ(apart.bonds.damage[0], 0);  // a bond that is not asked for is not a broken one
 }
 
-/// Mixed spacings: the share is that of a cell as wide as the mean of both, so it is the same from both ends.
+/// With mixed spacings the share is that of a cell as wide as the mean of both, so it is the same from both ends.
 TEST(Families, DifferentSpacingsShareTheirMean) {
   const body::fixture::TextFile file("pair.csv", "x,y,z,volume\n0,0,0,1\n3.2,0,0,8\n");
   deck::Deck deck = deck_of(deck::CloudFile{file.path()}, deck::Dimension::three, 2);

@@ -1,4 +1,4 @@
-/// Bonds that leave the material: slits, notches, gaps between bodies, with the shapes the deck has.
+/// Tests bonds that leave the material: slits, notches and gaps between bodies, with the shapes that the deck has.
 #include <cmath>
 #include <set>
 #include <utility>
@@ -40,7 +40,7 @@ double outside(const deck::Deck& deck, const body::Body& body, LocalIndex i, Loc
   return out * std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]) / points;
 }
 
-/// Every bond that was made stays within 0.3 spacings of the material, every one that was not does not; ties apart.
+/// Every bond that was made stays within 0.3 spacings of the material, and every other one does not, except for ties.
 void expect_the_rule(const deck::Deck& deck, const char* name) {
   deck::Deck all = deck;
   all.across_gaps = deck::AcrossGaps::keep;
@@ -87,7 +87,7 @@ TEST(Gaps, BodiesThatDoNotTouchAreNotBonded) {
   EXPECT_EQ(pairs_of(apart(0.5)), pairs_of(separate));
   EXPECT_EQ(build_bonds(apart(0)).bonds.across_gaps, 0);
   EXPECT_EQ(build_bonds(apart(0)).bonds.count(), build_bonds(deck_of(deck::Box{{0, 0, 0}, {10, 5, 5}})).bonds.count());
-  // What is thinner than 0.3 spacings is a seam of rounded coordinates: straight bonds stay.
+  // A gap thinner than 0.3 spacings is a seam of rounded coordinates, so straight bonds stay.
   const Pairs near = pairs_of(apart(0.25));
   EXPECT_GT(near.size(), pairs_of(separate).size());
 }
@@ -106,7 +106,7 @@ TEST(Gaps, WhoseShapeCounts) {
   EXPECT_EQ(build_bonds(deck).bonds.across_gaps, across);
 }
 
-/// A cloud's shape is what its outline says; without one nothing is known of its gaps.
+/// A cloud's shape is what its outline says. Without an outline nothing is known about its gaps.
 TEST(Gaps, OfACloudByItsOutline) {
   const auto slit = deck::Difference{{box({0, 0, 0}, {10, 10, 0}), box({-1, 4, 0}, {5, 6, 0})}};
   const Bonded lattice = build_bonds(deck_of(slit, deck::Dimension::plane_stress));
@@ -133,7 +133,7 @@ TEST(Gaps, AnOutlineHoldsAllPointsOfItsCloud) {
               ::testing::HasSubstr("particle 2 of the body block at (2.5, 0.5, 0) lies outside of the body's outline"));
 }
 
-/// Moved by any part of a cell and far from the origin, mirrored: the same bonds.
+/// A body that is moved by any part of a cell, is far from the origin or is mirrored has the same bonds.
 TEST(Gaps, DoNotDependOnWhereTheBodyLies) {
   const auto plate = [](double x, double y) {
     return deck_of(

@@ -1,5 +1,5 @@
-/// Bonds taken out of either layout: each() and places() tell what is left, what was removed is told, and what is not
-/// there cannot be.
+/// Removes bonds from either layout. each() and places() must show what is left, remove() must return what was removed,
+/// and a bond that is not there cannot be removed.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -46,7 +46,7 @@ std::set<Ends> bonds_in(const Bonds& bonds) {
   return all;
 }
 
-/// Every bond once, or a failure.
+/// The set of all bonds. A bond that comes twice is a failure.
 template <class Families>
 std::set<Ends> each_of(const Families& families) {
   std::set<Ends> all;
@@ -77,7 +77,7 @@ double length_of(const PairFamilies::Removed& removed) { return removed.length; 
 double weight_of(const StencilOffset* removed) { return removed->influence * removed->share; }
 double weight_of(const PairFamilies::Removed& removed) { return removed.weight; }
 
-/// Takes out every bond, in an order of no system, and looks at what is left after a third, two thirds and all.
+/// Removes every bond in random order, and checks what is left after a third, two thirds and all.
 template <class Families>
 void take_apart(Families families, const Bonded& both) {
   std::set<Ends> left = bonds_in(both.bonds);

@@ -46,7 +46,7 @@ boundary: [{set: left, displacement: {x: 0, y: 0}}]
 history: [{name: pull, reaction: left, component: x}]
 )";
 
-/// Reads cloud.csv and field.csv.
+/// A deck that reads cloud.csv and field.csv.
 inline const std::string cloud_deck = R"(dimension: 3
 body: [{name: cloud, shape: {file: cloud.csv}, material: steel}]
 horizon: {length: 1.5}

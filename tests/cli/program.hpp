@@ -1,6 +1,6 @@
 #pragma once
-/// The perinox binary as a user starts it: in a folder of its own, with its exit status and everything it says. This
-/// test program itself knows nothing of MPI, so that mpirun can be started from it.
+/// Runs the perinox binary as a user starts it: in a folder of its own, with its exit status and everything it says.
+/// This test program itself uses no MPI, so that mpirun can be started from it.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -34,7 +34,7 @@ inline std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// `text` with the first `from` replaced; the test fails if there is none.
+/// `text` with the first `from` replaced. The test fails if there is none.
 inline std::string changed(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << "the text has no " << from;
@@ -47,7 +47,7 @@ struct Outcome {
   std::string out, error;
 };
 
-/// An empty folder under the system's temporary one, gone when the test ends.
+/// An empty folder under the system's temporary one. It is gone when the test ends.
 class Folder {
  public:
   Folder() {
@@ -75,7 +75,7 @@ class Folder {
     return all;
   }
 
-  /// Runs `program` here and waits for it; ends it after `seconds`.
+  /// Runs `program` in the folder and waits for it. Ends it after `seconds`.
   Outcome run(const std::string& program, const std::vector<std::string>& arguments, int seconds = 300) const {
     const Folder said;
     const std::string out = said.path_ / "out", error = said.path_ / "error";

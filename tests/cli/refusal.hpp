@@ -1,5 +1,6 @@
 #pragma once
-/// What every refusal is: exit status 2, one sentence on standard error, nothing else, and nothing left behind.
+/// Checks what every refusal must be: exit status 2, one sentence on standard error, nothing else, and nothing left
+/// behind.
 #include <string>
 #include <vector>
 

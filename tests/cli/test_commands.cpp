@@ -1,4 +1,5 @@
-/// The commands as docs/commands.md describes them: exit statuses, help, generated documents, what a run leaves behind.
+/// Tests the commands as docs/commands.md describes them: exit statuses, help, generated documents, what a run leaves
+/// behind.
 #include <gmock/gmock.h>
 
 #include "decks.hpp"
@@ -14,7 +15,7 @@ using ::testing::StartsWith;
 
 const std::filesystem::path source = PERINOX_SOURCE_DIR;
 
-/// history.csv up to its column of seconds; what follows it are times too.
+/// The text of history.csv up to its column of seconds. The columns behind it are times too.
 std::vector<std::string> history_without_seconds(const std::filesystem::path& results) {
   std::vector<std::string> lines = lines_of(read(results / "history.csv"));
   EXPECT_TRUE(!lines.empty() && lines.front().find(",seconds") != std::string::npos) << results << " has no history";
@@ -112,7 +113,7 @@ TEST(Run, LeavesItsFilesAndStatusZero) {
 
 TEST(Run, WarnsWhereTheEnergiesDoNotAgree) {
   const Folder folder;
-  // A step in which bonds turn far.
+  // This is a step in which bonds turn far.
   folder.write("deck.yaml", changed(base_deck, "{z: \"0.01*t\"}", "{y: \"0.6*t\", z: \"0.2*t\"}"));
   const Outcome loose = folder.perinox({"run", "deck.yaml", "--quiet", "--set", "steps.count=1", "--set",
                                         "solver.newton.tolerance=0.5", "--set", "solver.newton.update_tolerance=1"});
@@ -150,7 +151,7 @@ TEST(Run, QuietSaysNothing) {
   EXPECT_THAT(folder.names(), ElementsAre("deck.yaml", "here"));
 }
 
-// Three small steps, then one that no Newton iteration can take.
+// Three small steps are followed by one that no Newton iteration can take.
 TEST(Run, StopsShortWithTheReasonAndTheLastGoodStepOnDisk) {
   const Folder folder;
   folder.write("deck.yaml", changed(changed(changed(base_deck, "0.01*t", "t < 0.8 ? 1e-4*t : 3"), "count: 2",
@@ -296,7 +297,7 @@ TEST(Run, EndsWithATableOfItsTimes) {
   EXPECT_THAT(history.front(), HasSubstr(",seconds,products,seconds_product,"));
   EXPECT_EQ(std::count(history.front().begin(), history.front().end(), ','),
             std::count(history.back().begin(), history.back().end(), ','));
-  // A run that stops short says where its time went too.
+  // A run that stops short also says where its time went.
   const Outcome stopped = folder.perinox({"run", "deck.yaml", "--output", "s", "--set", "steps.adaptive=false", "--set",
                                           "solver.newton.max_iterations=1", "--set", "solver.newton.tolerance=1e-14"});
   EXPECT_EQ(stopped.status, 1);

@@ -1,4 +1,4 @@
-/// Runs whose bonds break, as a user starts them: exit status, what is said, what is on disk.
+/// Tests runs whose bonds break, as a user starts them: exit status, what is said, what is on disk.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 const std::string snapping_bar =
-    testing::snapping_bar_of("2.015", "{end: 0.25, count: 5}") + "output: {every: 2, fields: [displacement, damage]}\n";
+    test::snapping_bar_of("2.015", "{end: 0.25, count: 5}") + "output: {every: 2, fields: [displacement, damage]}\n";
 
 TEST(Fracture, WithoutAFallbackTheRunStopsWithStatus1) {
   const Folder folder;
@@ -28,7 +28,7 @@ TEST(Fracture, WithoutAFallbackTheRunStopsWithStatus1) {
   EXPECT_THAT(
       lines_of(read(folder.path() / "out/history.csv")),
       ElementsAre(StartsWith("step,t,stretch,"), StartsWith("0,0,0,"), StartsWith("1,0.05"), StartsWith("2,0.1")));
-  // The second step, and the state in which equilibrium was lost under its own number.
+  // The files have the second step, and the state in which equilibrium was lost under its own number.
   const std::string index = read(folder.path() / "out/results.xdmf");
   EXPECT_THAT(index, HasSubstr("/steps/2/displacement"));
   EXPECT_THAT(index, HasSubstr("/steps/3/damage"));

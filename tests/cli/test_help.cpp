@@ -1,4 +1,4 @@
-/// `perinox help` of a command and of an output field, and the examples of each command's own page.
+/// Tests `perinox help` of a command and of an output field, and the examples of each command's own page.
 #include <gmock/gmock.h>
 
 #include <map>
@@ -38,8 +38,8 @@ TEST(Help, OfACommandIsItsPage) {
   EXPECT_THAT(folder.perinox({"--help"}).out, HasSubstr("perinox COMMAND --help"));
 }
 
-/// Every example of a page names files that are there and is taken by the command line: `check` stands for the commands
-/// that would run.
+/// Every example of a page must name files that exist and be accepted by the command line. `check` stands for the
+/// commands that would run.
 TEST(Help, TheExamplesAreRight) {
   const std::filesystem::path source = PERINOX_SOURCE_DIR;
   const Folder folder;
@@ -53,7 +53,7 @@ TEST(Help, TheExamplesAreRight) {
       std::istringstream stream(example.substr(example.find("perinox ") + 8));
       for (std::string word; stream >> word && word != "&&";) words.push_back(word);
       if (words[0] == "study" && words.back() != "--plan") continue;
-      // What a run alone has: its own options.
+      // The options that only a run has are left out.
       std::vector<std::string> as_check;
       for (std::size_t k = 0; k < words.size(); ++k) {
         if (words[k] == "--output" || words[k] == "--restart")

@@ -1,5 +1,5 @@
-/// One mistake a row, in a deck, a point cloud or a displacement table: `perinox check` ends with status 2, says
-/// exactly one line, which names the place and what to do, and leaves nothing behind.
+/// Each row has one mistake in a deck, a point cloud or a displacement table. `perinox check` must end with status 2,
+/// say exactly one line, which names the place and what to do, and leave nothing behind.
 #include <ostream>
 
 #include "decks.hpp"
@@ -11,10 +11,10 @@ namespace {
 
 struct Mistake {
   const char* name;
-  const std::string* deck;  ///< that is right before `from` is replaced by `to`
+  const std::string* deck;  ///< deck that is right before `from` is replaced by `to`
   const char* from;
   const char* to;
-  const char* sentence;  ///< all that is said; {dir} stands for the folder
+  const char* sentence;  ///< everything that is said; {dir} stands for the folder
 };
 void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; }
 
@@ -279,8 +279,8 @@ TEST(Malformed, TheDecksAreRightBeforeTheyAreBroken) {
   }
 }
 
-// `run` and `verify` refuse as `check` does, before a results folder is made. One row of each room: deck, materials,
-// body, bonds, solve.
+// `run` and `verify` refuse as `check` does, before a results folder is made. There is one row for each room: deck,
+// materials, body, bonds and the solver.
 TEST(Malformed, RunAndVerifyRefuseAsCheckDoes) {
   int rows = 0;
   for (const Mistake& mistake : mistakes_in_decks) {

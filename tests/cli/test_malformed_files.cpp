@@ -1,4 +1,4 @@
-/// One mistake a row in a point cloud or a displacement table, as in test_malformed.cpp.
+/// Each row has one mistake in a point cloud or a displacement table, as in test_malformed.cpp.
 #include <ostream>
 
 #include "decks.hpp"

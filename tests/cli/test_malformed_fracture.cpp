@@ -1,5 +1,5 @@
-/// What a deck may say wrongly of breaking bonds, of motion in time and of the way from one to the other: one sentence
-/// and exit status 2.
+/// Tests wrong entries of a deck about breaking bonds, motion in time and the way from one to the other. Each ends with
+/// one sentence and exit status 2.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -150,7 +150,7 @@ TEST(MalformedFracture, ALawAlongTheArcIsRefused) {
             "there is no path to follow; remove damage, or use steps.control: load\n");
 }
 
-/// What is refused above is the mistake: the same keys, mended.
+/// The same keys pass when they are mended, so what is refused above is the mistake.
 TEST(MalformedFracture, TheMendedDecksPass) {
   const Folder folder;
   for (const std::string& deck :

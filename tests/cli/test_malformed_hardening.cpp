@@ -1,5 +1,5 @@
-/// What a deck may say wrongly of hardening, and what may be wrong in a hardening table: one sentence and exit
-/// status 2.
+/// Tests wrong entries of a deck about hardening, and mistakes in a hardening table. Each ends with one sentence and
+/// exit status 2.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ const char* const with_table = "    hardening_table: {tension: hardening.csv}\n"
 
 struct HardeningMistake {
   const char* name;
-  const char* keys;  ///< in place of the deck's yield_stress
+  const char* keys;  ///< take the place of the deck's yield_stress
   const char* dimension;
   const char* table;
   const char* sentence;
@@ -88,7 +88,7 @@ TEST_P(MalformedHardening, IsRefusedInOneSentence) {
   EXPECT_EQ(outcome.status, 2);
   EXPECT_EQ(outcome.error, sentence + "\n");
   EXPECT_EQ(outcome.out, "");
-  // The same table, mended: what is refused is the mistake.
+  // The same table passes when it is mended, so what is refused is the mistake.
   if (mistake.keys != with_table) return;
   folder.write("hardening.csv", good);
   EXPECT_EQ(folder.perinox({"check", "deck.yaml"}).status, 0);

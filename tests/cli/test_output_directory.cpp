@@ -1,4 +1,4 @@
-/// One run at a time has an output directory to itself.
+/// Tests that one run at a time has an output directory to itself.
 #include <gmock/gmock.h>
 
 #include "decks.hpp"
@@ -10,7 +10,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Steps of some milliseconds, for longer than any of these tests lasts.
+/// A run whose steps take some milliseconds each and that lasts longer than any of these tests.
 const std::string endless = changed(changed(base_deck, "count: 2", "count: 100000"), "0.01*t", "0.05*t");
 
 /// A run that goes on in the background until it is ended.
@@ -59,7 +59,7 @@ TEST(OutputDirectory, ASecondRunIsRefusedWithTheNameOfTheFirst) {
   ASSERT_GE(first.rows(), 6u);
   const std::string whose =
       "the output directory results/deck is in use by process " + std::to_string(first.process()) + " on ";
-  // Both decks are called deck.yaml, so that is where B's results would go.
+  // Both decks are called deck.yaml, so B's results would go into the same directory.
   for (const int ranks : {1, 2}) {
     const std::vector<std::string> arguments{"run", "B/deck.yaml"};
     const Outcome second = ranks == 1 ? folder.perinox(arguments) : folder.perinox_on_ranks(ranks, arguments);
@@ -67,12 +67,12 @@ TEST(OutputDirectory, ASecondRunIsRefusedWithTheNameOfTheFirst) {
     EXPECT_THAT(second.error, AllOf(HasSubstr(whose), HasSubstr((folder.path() / "A/deck.yaml").string()),
                                     HasSubstr("choose another directory with --output")));
   }
-  // Nor may a restart into it.
+  // A restart into it is refused too.
   const Outcome restart = folder.perinox({"run", "A/deck.yaml", "--restart", "results/deck"});
   EXPECT_EQ(restart.status, 2);
   EXPECT_THAT(restart.error, HasSubstr(whose));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "results/deck/previous-1"));
-  // Elsewhere there is room.
+  // Another directory is free.
   EXPECT_EQ(folder.perinox({"run", "B/deck.yaml", "--output", "other", "--quiet"}).status, 0);
 }
 

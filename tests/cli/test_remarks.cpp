@@ -1,5 +1,5 @@
-/// What is computed but hardly meant is said as a note on standard error, by check, run and verify alike, once on
-/// several ranks, and the exit status stays 0.
+/// What can be computed but is hardly meant is said as a note on standard error, by check, run and verify alike, once
+/// on several ranks. The exit status stays 0.
 #include <gmock/gmock.h>
 
 #include "decks.hpp"

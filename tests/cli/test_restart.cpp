@@ -1,4 +1,4 @@
-/// Runs that are stopped, killed or refused, and go on: as a user meets it.
+/// Tests runs that are stopped, killed or refused, and go on, as a user meets them.
 #include <gmock/gmock.h>
 
 #include <functional>
@@ -28,7 +28,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-/// history.csv without its wall-clock times.
+/// The text of history.csv without its wall-clock times.
 std::vector<std::string> history(const Folder& folder, const std::string& results) {
   std::vector<std::string> lines = lines_of(read(folder.path() / results / "history.csv"));
   const std::vector<std::string> names = lines.empty() ? lines : cells_of(lines.front());
@@ -41,15 +41,16 @@ std::vector<std::string> history(const Folder& folder, const std::string& result
   return lines;
 }
 
-/// The displacements of the last step, bit by bit, as far as text can tell: results.xdmf names the steps, history.csv
-/// has sums of them with 17 digits.
+/// Expects the same displacements of the last step, bit by bit as far as text can tell: results.xdmf names the steps,
+/// and history.csv has sums of displacements with 17 digits.
 void expect_same_results(const Folder& folder, const std::string& one, const std::string& other) {
   EXPECT_EQ(history(folder, one), history(folder, other));
   EXPECT_EQ(read(folder.path() / one / "convergence.csv"), read(folder.path() / other / "convergence.csv"));
   EXPECT_EQ(read(folder.path() / one / "results.xdmf"), read(folder.path() / other / "results.xdmf"));
 }
 
-/// Starts a run, sends it `signal` once `steps` steps are in its history and there is a checkpoint, waits for its end.
+/// Starts a run, sends it `signal` once `steps` steps are in its history and there is a checkpoint, and waits for its
+/// end.
 int interrupted(const Folder& folder, const std::string& results, int signal, std::size_t steps, std::string& error,
                 const std::string& set = "steps.count=2000") {
   const std::string out = folder.path() / "out", err = folder.path() / "err";
@@ -90,7 +91,7 @@ TEST(Restart, GoesOnInItsOwnDirectoryAsIfNothingHadBeen) {
   EXPECT_THAT(rest.out, HasSubstr("restart after step 1"));
   expect_same_results(folder, "whole", "part");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "part/previous-1"));
-  // What is finished has nothing left to do.
+  // A run that is finished has nothing left to do.
   EXPECT_EQ(folder.perinox({"run", "deck.yaml", "--restart", "part", "--quiet"}).status, 0);
   expect_same_results(folder, "whole", "part");
 }
@@ -206,7 +207,7 @@ TEST(Restart, ASignalEndsTheRunAfterItsStep) {
     std::string error;
     EXPECT_EQ(interrupted(folder, "part", signal, 3, error), 1);
     const std::string name = signal == SIGTERM ? "SIGTERM" : signal == SIGINT ? "SIGINT" : "SIGUSR1";
-    // Said at once, and again when it is done.
+    // The signal is reported at once, and again when the run has stopped.
     EXPECT_THAT(error, StartsWith("\nperinox: " + name + ": stops after the step at hand; a second one ends the run"));
     EXPECT_THAT(error, HasSubstr(name + " was received"));
     EXPECT_THAT(error, HasSubstr("resume with: perinox run deck.yaml --restart part/checkpoint.h5 --set "
@@ -232,7 +233,7 @@ TEST(Restart, AKilledRunGoesOn) {
   EXPECT_GE(history(folder, "part").size() - 2, steps);
 }
 
-/// Goes on and on, a moment at a time, until the run is done; how often it stopped, and how often within a step.
+/// Goes on for a moment at a time until the run is done. Returns how often it stopped, and how often within a step.
 std::pair<int, int> go_on_in_moments(const Folder& folder, const std::string& results, const std::vector<int>& ranks) {
   int stops = 0, within = 0;
   std::vector<std::string> arguments = {"run", "deck.yaml", "--output", results};
@@ -252,7 +253,7 @@ std::pair<int, int> go_on_in_moments(const Folder& folder, const std::string& re
 
 TEST(Restart, ABarThatSnapsGoesOnFromWithinItsMotion) {
   const Folder folder;
-  folder.write("deck.yaml", testing::snapping_bar);
+  folder.write("deck.yaml", test::snapping_bar);
   ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"}).status, 0);
   const auto [stops, within] = go_on_in_moments(folder, "part", {1});
   EXPECT_GT(within, 10);  // 26, every ten time steps
@@ -262,7 +263,7 @@ TEST(Restart, ABarThatSnapsGoesOnFromWithinItsMotion) {
 
 TEST(Restart, ACrackThatGrowsGoesOnAfterEachStep) {
   const Folder folder;
-  folder.write("deck.yaml", testing::torn_plate);
+  folder.write("deck.yaml", test::torn_plate);
   ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"}).status, 0);
   EXPECT_EQ(go_on_in_moments(folder, "part", {1}), (std::pair<int, int>{5, 0}));
   expect_same_results(folder, "whole", "part");
@@ -270,7 +271,7 @@ TEST(Restart, ACrackThatGrowsGoesOnAfterEachStep) {
 
 TEST(Restart, BlocksThatCollideGoOnFromWithinARow) {
   const Folder folder;
-  folder.write("deck.yaml", testing::smashed_blocks);
+  folder.write("deck.yaml", test::smashed_blocks);
   ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"}).status, 0);
   EXPECT_GT(go_on_in_moments(folder, "part", {1}).second, 8);  // 15
   expect_same_results(folder, "whole", "part");
@@ -278,7 +279,7 @@ TEST(Restart, BlocksThatCollideGoOnFromWithinARow) {
 
 TEST(Restart, OfARunInTimeOnOneTwoAndThreeRanksInTurn) {
   const Folder folder;
-  folder.write("deck.yaml", testing::smashed_blocks);
+  folder.write("deck.yaml", test::smashed_blocks);
   ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"}).status, 0);
   EXPECT_GT(go_on_in_moments(folder, "part", {1, 2, 3}).second, 8);
   const std::vector<std::string> a = history(folder, "whole"), b = history(folder, "part");
@@ -297,8 +298,8 @@ TEST(Restart, OfARunInTimeOnOneTwoAndThreeRanksInTurn) {
 
 TEST(Restart, ASignalEndsARunInTimeWithinItsRow) {
   const Folder folder;
-  // Sent when there is a checkpoint within the first row, of 400 time steps.
-  const std::string longer = changed(testing::smashed_blocks, "end: 2e-5", "end: 2e-4");
+  // The signal is sent when there is a checkpoint within the first row, which has 400 time steps.
+  const std::string longer = changed(test::smashed_blocks, "end: 2e-5", "end: 2e-4");
   folder.write("deck.yaml", longer + "output: {checkpoint_seconds: 1e-9}\n");
   std::string error;
   EXPECT_EQ(interrupted(folder, "part", SIGTERM, 0, error, "title=ended"), 1);
@@ -316,7 +317,7 @@ TEST(Restart, ASignalEndsARunInTimeWithinItsRow) {
 
 TEST(Restart, AKilledRunInTimeGoesOnFromWithinItsRow) {
   const Folder folder;
-  const std::string longer = changed(testing::smashed_blocks, "end: 2e-5", "end: 2e-4");
+  const std::string longer = changed(test::smashed_blocks, "end: 2e-5", "end: 2e-4");
   folder.write("deck.yaml", longer);
   ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"}).status, 0);
   folder.write("deck.yaml", longer + "output: {checkpoint_seconds: 1e-9}\n");
@@ -331,7 +332,8 @@ TEST(Restart, AKilledRunInTimeGoesOnFromWithinItsRow) {
 TEST(Restart, QuickStepsAreNotEachCheckpointed) {
   const Folder folder;
   folder.write("deck.yaml", deck);
-  // Forty steps take less than the five seconds that the clock waits for: none until the end, and then one.
+  // Forty steps take less than the five seconds that the clock waits, so there is no checkpoint until the end, and then
+  // one.
   const Outcome run = folder.perinox({"run", "deck.yaml", "--output", "r", "--set", "steps.count=40"});
   ASSERT_EQ(run.status, 0) << run.error;
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "r/checkpoint.h5"));
@@ -350,13 +352,13 @@ TEST(Restart, QuickStepsAreNotEachCheckpointed) {
                 .status,
             0);
   EXPECT_LT(seconds_of("r"), 0.7 * seconds_of("each"));  // 0.4 for inputs/shear_cube.yaml, three runs of each
-  // A stop has one whatever the clock says, and so has the clock.
+  // A stop by a signal has a checkpoint whatever the clock says, and so has a stop by the time limit.
   ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "s", "--set", "steps.time_limit=1e-3"}).status, 1);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "s/checkpoint.h5"));
 }
 
 TEST(Restart, TheStartIsWrittenOnce) {
-  for (const std::string& text : {deck, testing::snapping_bar, testing::smashed_blocks}) {
+  for (const std::string& text : {deck, test::snapping_bar, test::smashed_blocks}) {
     const Folder folder;
     folder.write("deck.yaml", text);
     go_on_in_moments(folder, "part", {1});
@@ -370,7 +372,7 @@ TEST(Restart, TheStartIsWrittenOnce) {
 
 TEST(Restart, ARunInTimeStartsWithItsKineticEnergy) {
   const Folder folder;
-  folder.write("deck.yaml", testing::smashed_blocks);
+  folder.write("deck.yaml", test::smashed_blocks);
   ASSERT_EQ(folder.perinox({"run", "deck.yaml", "--output", "r", "--quiet"}).status, 0);
   const std::vector<std::string> rows = history(folder, "r"), names = cells_of(rows[0]);
   const auto value = [&](std::size_t row, const char* name) {
@@ -383,7 +385,7 @@ TEST(Restart, ARunInTimeStartsWithItsKineticEnergy) {
   EXPECT_EQ(value(1, "time_steps"), 0);
 }
 
-/// What is copied with its deck goes on where it is now; what its files hold must be the same.
+/// A run that is copied with its deck goes on where it is now. The contents of its files must be the same.
 TEST(Restart, ACopiedRunGoesOnWithItsFiles) {
   const Folder folder;
   std::filesystem::create_directories(folder.path() / "old/data");

@@ -1,4 +1,5 @@
-/// perinox study from its file to its table: costs and errors, taking up where it was stopped, and what it refuses.
+/// Tests perinox study from its file to its table: costs and errors, taking up where it was stopped, and what it
+/// refuses.
 #include <gmock/gmock.h>
 #include <sys/file.h>
 
@@ -16,7 +17,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// A strip pulled at its right end: four runs of a fraction of a second.
+/// A strip pulled at its right end. The study has four runs of a fraction of a second.
 const std::string strip = R"(dimension: plane-strain
 body: [{name: plate, shape: {box: {min: [0, 0], max: [12, 6]}}, spacing: 1, material: steel}]
 horizon: {ratio: 2.015}
@@ -58,7 +59,7 @@ std::vector<std::string> split(const std::string& line) {
 
 using Table = std::vector<std::map<std::string, std::string>>;
 
-/// No cell of these studies holds a comma unless it is a reason, which is not asked for.
+/// Reads a table. No cell of these studies holds a comma unless it is a reason, which is not asked for.
 Table table_of(const std::filesystem::path& file) {
   Table table;
   std::vector<std::string> names;
@@ -74,7 +75,7 @@ Table table_of(const std::filesystem::path& file) {
   return table;
 }
 
-/// Without what each run measures anew: times, and memory that depends on where pages fall.
+/// The table without what each run measures anew: times, and memory that depends on where pages fall.
 Table without_costs(Table table) {
   for (auto& row : table)
     for (const char* cost : {"cpu_seconds", "wall_seconds", "solve_seconds", "peak_megabytes"}) {
@@ -116,7 +117,7 @@ TEST(Study, MeasuresEveryRun) {
     EXPECT_GE(std::stod(row.at("u_largest")), std::stod(row.at("u_error")));
     EXPECT_GT(std::stod(row.at("theta_error")), 0.01) << "the strip gets thinner";
     EXPECT_LT(std::stod(row.at("theta_error")), 1);
-    // Where the displacement is prescribed: half of that solution, and exact at half the load.
+    // Where the displacement is prescribed it is half of that solution, and exact at half the load.
     EXPECT_NEAR(std::stod(row.at("half_error")), 0.5, 1e-12);
     EXPECT_NEAR(std::stod(row.at("half_largest")), 0.5, 1e-12);
     EXPECT_LE(std::stod(row.at("early_error")), 1e-12);  // 0
@@ -124,7 +125,7 @@ TEST(Study, MeasuresEveryRun) {
   }
   EXPECT_THAT(read(results / "study.md"), HasSubstr("| position-aware | 0.5 | 0 |"));
 
-  // The finest run named as a file.
+  // Here the finest run is named as a file.
   folder.write("file.yaml",
                "deck: strip.yaml\nset: {quadrature: whole}\nsweep: [{key: body.0.spacing, values: [1]}]\nmeasures: "
                "[{name: near, field: displacement, reference: "
@@ -150,10 +151,10 @@ TEST(Study, HasItsFolderToItself) {
             "with --output\n");
 }
 
-/// A bar that breaks: without a fallback the run stops when its crack runs, and the peak is what the study is for.
+/// The bar breaks. Without a fallback the run stops when its crack runs, and the peak is what the study is for.
 TEST(Study, MeasuresWhatAStoppedRunHasReached) {
   const Folder folder;
-  folder.write("deck.yaml", testing::snapping_bar);
+  folder.write("deck.yaml", test::snapping_bar);
   folder.write("study.yaml", R"yaml(deck: deck.yaml
 set: {steps.end: 0.25, steps.count: 5}
 sweep: [{key: fallback, values: [none, automatic]}]
@@ -180,7 +181,7 @@ measures:
   const std::string text = read(folder.path() / "r/runs/fallback-none/history.csv");
   const std::vector<std::string> rows = lines_of(text);
   ASSERT_EQ(rows.size(), 4u);  // the start, t = 0.05 and 0.1
-  // The reason of a stopped run may hold commas; its cells are counted from the end.
+  // The reason of a stopped run may hold commas, so its cells are counted from the end.
   const auto cell = [&](std::size_t row, const std::string& name) {
     const std::vector<std::string> names = split(lines_of(csv)[0]), cells = split(lines_of(csv)[row + 1]);
     const auto column = std::find(names.begin(), names.end(), name) - names.begin();
@@ -251,7 +252,7 @@ TEST(Study, TakesUpWhereItWasKilled) {
   folder.write("strip.yaml", strip);
   folder.write("study.yaml", changed(sweep_study, "[whole, position-aware]", "[whole]"));
   ASSERT_EQ(folder.perinox({"study", "study.yaml", "--quiet", "--output", "whole"}).status, 0);
-  // Killed outright as soon as the first run is finished.
+  // The study is killed outright as soon as the first run is finished.
   const std::string runs = "killed/runs/";
   const Outcome killed =
       folder.run("/bin/sh", {"-c", std::string(PERINOX_BINARY) +
@@ -269,13 +270,13 @@ TEST(Study, TakesUpWhereItWasKilled) {
   EXPECT_EQ(without_costs(table_of(folder.path() / "killed/study.csv")),
             without_costs(table_of(folder.path() / "whole/study.csv")));
 
-  // Once more: nothing is run, and the table is the same to the last digit.
+  // When it is run once more, nothing is run and the table is the same to the last digit.
   const std::string table = read(folder.path() / "killed/study.csv");
   const Outcome third = folder.perinox({"study", "study.yaml", "--output", "killed"});
   EXPECT_THAT(third.out, HasSubstr("2 of them finished earlier"));
   EXPECT_EQ(read(folder.path() / "killed/study.csv"), table);
 
-  // Another deck makes every run another one; so does --again.
+  // Another deck makes every run a different one, and so does --again.
   folder.write("strip.yaml", changed(strip, "count: 2", "count: 1"));
   EXPECT_THAT(folder.perinox({"study", "study.yaml", "--output", "killed", "--plan"}).out,
               HasSubstr("0 of them finished earlier"));
@@ -370,7 +371,7 @@ TEST(Study, IsRefusedBeforeAnythingRuns) {
             "none.yaml: there is no study of this name; check the path\n");
 }
 
-// What only a run finds out: a piece that can move.
+// Only a run finds out that a piece can move.
 TEST(Study, StopsAtADeckThatItsRunRefuses) {
   const Folder folder;
   folder.write("strip.yaml", changed(changed(strip, "{x: \"1e-3*x*t\", y: 0}", "{x: 0}"), "{x: \"1e-3*x*t\", y: 0}",

@@ -1,4 +1,4 @@
-/// What a run says of states that the model does not hold for: in its log, at its end and in history.csv.
+/// Tests what a run says about states for which the model does not hold: in its log, at its end and in history.csv.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "perinox/core/communicator.hpp"
 #include "perinox/core/error.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 TEST(Communicator, AloneEverySumIsItsOwnTerm) {
@@ -27,4 +27,4 @@ TEST(Communicator, AnInputErrorIsThrownWithItsSentenceAndSilenceIsNot) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

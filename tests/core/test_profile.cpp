@@ -6,7 +6,7 @@
 #include "perinox/core/communicator.hpp"
 #include "perinox/core/profile.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 void pass(int milliseconds) { std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds)); }
@@ -32,7 +32,7 @@ TEST(Profile, TimeBelongsToTheInnermostSectionAlone) {
   EXPECT_EQ(reading.count_of(Section::halo), 1);
   EXPECT_GE(reading.seconds_of(Section::product), 0.040);
   EXPECT_GE(reading.seconds_of(Section::halo), 0.060);
-  // Nothing is counted twice, however late the machine wakes up.
+  // No time is counted twice, however late the machine wakes up.
   EXPECT_LE(sum(reading), reading.wall - 0.030 + 1e-9);
   EXPECT_NEAR(reading.rest(), reading.wall - sum(reading), 1e-12);
 }
@@ -96,4 +96,4 @@ TEST(Profile, CopiesOfACommunicatorShareItAndOtherCommunicatorsHaveTheirOwn) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -1,6 +1,6 @@
 #pragma once
-/// Material models like those of the materials room, declared here because the deck may not know that room, a deck that
-/// reads without an error, and ways to break it.
+/// A deck that reads without an error, ways to break it, and material models like those of the room materials. They are
+/// declared here because the deck must not know that room.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -111,7 +111,7 @@ inline const std::string flat_deck =
     "boundary: [{set: left, displacement: {x: 0}}]\n"
     "history: [{name: pull, reaction: left, component: x}]\n";
 
-/// `text` with the first `from` replaced; the test fails if there is none.
+/// `text` with the first `from` replaced. The test fails if there is none.
 inline std::string changed(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << "the base deck has no " << from;
@@ -119,7 +119,7 @@ inline std::string changed(std::string text, const std::string& from, const std:
   return text;
 }
 
-/// The message of the InputError that reading `yaml` ends with; "" if it reads.
+/// The message of the InputError with which reading `yaml` ends; "" if it reads.
 inline std::string message_of(const std::string& yaml, const std::vector<std::string>& overrides = {}) {
   try {
     read_text(yaml, "deck.yaml", schema(), overrides);

@@ -1,4 +1,4 @@
-/// Decks made to do harm: aliases that multiply, devices that never end, control characters in a message.
+/// Decks made to do harm are refused: aliases that multiply, devices that never end, control characters in a message.
 #include "deck/fixture.hpp"
 
 namespace perinox::deck {

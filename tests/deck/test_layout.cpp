@@ -1,4 +1,4 @@
-/// Slips of the keyboard in a deck's layout: the message names the line of the slip, not the later one where a YAML
+/// For slips of the keyboard in a deck's layout the message names the line of the slip, not the later one where a YAML
 /// parser gives up.
 #include <filesystem>
 #include <fstream>
@@ -18,7 +18,7 @@ struct Slip {
   const char* name;
   const char* from;
   const char* to;
-  const char* message;  ///< all of it, behind the file's name
+  const char* message;  ///< the whole message behind the file's name
 };
 void PrintTo(const Slip& slip, std::ostream* out) { *out << slip.from << " -> " << slip.to; }
 
@@ -153,7 +153,7 @@ const Slip slips[] = {
      "spacing: \xE2\x88\x92"
      "1.0",
      "6:14: this is a typographic minus sign; type - in its place"},
-    // --- what no layout explains stays with the parser's own place
+    // --- what no layout explains keeps the parser's own place
     {"alias_without_anchor", "influence: constant", "influence: *nothing",
      "9:12: the alias (*name) refers to an anchor (&name) that is not defined before it; put a text that begins "
      "with * in quotes"},
@@ -172,7 +172,7 @@ TEST_P(LayoutSlip, IsNamedWhereItIs) {
   EXPECT_EQ(message_of(changed(base_deck, slip.from, slip.to)), std::string("deck.yaml:") + slip.message);
 }
 
-/// The same with the line ends of Windows and with a byte order mark, which moves no column.
+/// The slip is also named with the line ends of Windows and with a byte order mark, which moves no column.
 TEST_P(LayoutSlip, IsNamedWithOtherLineEndsToo) {
   const Slip& slip = GetParam();
   std::string windows = "\xEF\xBB\xBF";
@@ -184,7 +184,7 @@ TEST_P(LayoutSlip, IsNamedWithOtherLineEndsToo) {
 INSTANTIATE_TEST_SUITE_P(Deck, LayoutSlip, ::testing::ValuesIn(slips),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
-/// Columns count characters, as an editor does, not bytes.
+/// Columns count characters, as an editor does, and not bytes.
 TEST(Layout, ColumnsBehindLettersOfAnyLanguage) {
   const std::string named = changed(base_deck, "name: pull",
                                     "name: Gr\xC3\xB6\xC3\x9F"
@@ -199,7 +199,7 @@ TEST(Layout, ColumnsBehindLettersOfAnyLanguage) {
       "colon");
 }
 
-/// Every shipped deck and a few things that YAML allows: nothing is found in them.
+/// Nothing is found in the shipped decks and in a few texts that YAML allows.
 TEST(Layout, OfRightTextsIsRight) {
   int decks = 0;
   for (const char* folder : {"inputs", "inputs/hard", "studies"})
@@ -228,8 +228,8 @@ TEST(Layout, OfRightTextsIsRight) {
   }
 }
 
-/// Random damage to a deck, one to three characters of it: whatever the message is, it is one with a place in the text,
-/// and what is found in the layout is there again in the same text.
+/// Damages one to three random characters of a deck. Whatever the message is, it has a place in the text, and what is
+/// found in the layout is found again in the same text.
 TEST(Layout, SurvivesRandomDamage) {
   std::mt19937 random(7);
   const std::string characters = "{}[]:,-\"' \n\t#|&*ab1\xC2\xA0\r";

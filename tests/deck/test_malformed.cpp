@@ -1,4 +1,4 @@
-/// Decks with one mistake each: the place and the sentence of the error.
+/// Decks with one mistake each: the error must have the right place and sentence.
 #include <ostream>
 
 #include "deck/fixture.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 struct Mistake {
   const char* name;
-  const std::string* deck;  ///< that reads without `from` replaced by `to`
+  const std::string* deck;  ///< deck that reads if `from` is not replaced by `to`
   const char* from;
   const char* to;
   const char* place;     ///< line:column

@@ -1,4 +1,4 @@
-/// What a deck's text becomes.
+/// Tests what a deck's text becomes.
 #include <filesystem>
 #include <fstream>
 
@@ -60,7 +60,7 @@ TEST(Read, MaterialParametersCarryDefaultsAndAbsence) {
   EXPECT_FALSE(parameters.at("yield_stress").has("shear"));
 }
 
-/// The defaults written in the schema and those of the plain structs are the same.
+/// The defaults written in the schema and those of the plain structs must be the same.
 TEST(Read, DefaultsOfSchemaAndStructsAgree) {
   const Deck deck = read_text(
       "dimension: 3\n"
@@ -142,7 +142,7 @@ TEST(Read, PlaneDecks) {
   EXPECT_EQ(std::get<CrackSegment>(deck.cracks[0].form).end, (Point{2, 1, 0}));
   EXPECT_EQ(fixture::message_of(fixture::changed(fixture::flat_deck, "max: [4, 4]", "max: [4, 4, 0]")), "");
   EXPECT_EQ(fixture::message_of(fixture::changed(fixture::flat_deck, "plane-strain", "plane-stress")), "");
-  // In 2-D a rectangle stands across the plane, and a disc has its normal in it.
+  // In 2-D a rectangle stands across the plane, and a disc has its normal in the plane.
   const std::string segment = "{segment: {start: [1, 1], end: [2, 1]}}";
   for (const char* crack : {"{rectangle: {corner: [1, 1, -1], edge1: [1, 0, 0], edge2: [0, 0, 2]}}",
                             "{disc: {center: [1, 1], normal: [0, 1], radius: 1}}"}) {
@@ -209,7 +209,7 @@ TEST(Read, FilesAreFoundFromTheDecksFolder) {
   EXPECT_EQ(deck.boundary[0].table_location.line, 5);
   const Deck again = read_text(write_resolved(deck), "/elsewhere/deck.resolved.yaml", fixture::schema());
   EXPECT_EQ(again.boundary[0].table, (folder / "field.csv").string());
-  // In a folder of its own the names start there, so that both can be moved together.
+  // In a folder of its own the names count from that folder, so that both can be moved together.
   const std::string results = (folder / "results/deck").string(), moved = write_resolved(deck, results);
   EXPECT_THAT(moved, ::testing::HasSubstr("table: \"../../field.csv\""));
   EXPECT_EQ(moved.find(folder.string()), std::string::npos);
@@ -220,12 +220,12 @@ TEST(Read, FilesAreFoundFromTheDecksFolder) {
   EXPECT_EQ(files[0].key, "body[0].shape.file");
   EXPECT_EQ(files[1].key, "boundary[0].displacement.table");
   EXPECT_EQ(files[1].path, (folder / "field.csv").string());
-  // A name that is absolute in the deck stays so.
+  // A name that is absolute in the deck stays absolute.
   const Deck absolute = read((folder / "deck.yaml").string(), fixture::schema(),
                              {"body.0.shape.file=" + (folder / "cloud.csv").string()});
   EXPECT_THAT(write_resolved(absolute, results),
               ::testing::HasSubstr("file: \"" + (folder / "cloud.csv").string() + "\""));
-  // A deck in a checkpoint names files that may be gone; where they are is no difference.
+  // A deck in a checkpoint names files that may be gone. Their place counts as no difference.
   const Deck saved = read_saved(fixture::changed(moved, "../../field.csv", "../gone.csv"), "saved", fixture::schema());
   EXPECT_TRUE(changed_keys(saved.resolved, deck.resolved).empty());
 

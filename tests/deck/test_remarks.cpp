@@ -1,4 +1,4 @@
-/// What a deck may say and hardly means: remarks, one sentence each with its place; none on ordinary decks.
+/// Remarks on what a deck may say but hardly means: one sentence each with its place, and none on ordinary decks.
 #include <filesystem>
 
 #include "deck/fixture.hpp"
@@ -30,7 +30,7 @@ TEST(Remarks, ALoadThatNeverUsesT) {
       ElementsAre("deck.yaml:22:5: the displacement on head does not use t, so that it is there in full from the "
                   "first step on, and all 20 steps find the same state, as no load uses t; let it grow as in "
                   "\"1.5*t\" unless that is meant"));
-  // Beside a load that grows; a formula of the place alone; a pressure.
+  // The cases are a steady load beside one that grows, a formula of the place alone, and a pressure.
   EXPECT_THAT(
       remarks_of(changed(base_deck, "steps:",
                          "  - {set: all, body_force: {y: \"-1e-3*x\"}}\n  - {set: all, pressure: "
@@ -40,7 +40,8 @@ TEST(Remarks, ALoadThatNeverUsesT) {
           "on; let it grow as in \"1.5*t\" unless that is meant",
           "deck.yaml:25:5: the pressure on all does not use t, so that it is there in full from the first step "
           "on; let it grow as in \"1.5*t\" unless that is meant"));
-  // One component that grows is enough; one step has no other; in time a load may well be there from the start.
+  // These give no remark: one component that grows is enough, one step has no other, and in time a load may well act
+  // from the start.
   EXPECT_THAT(remarks_of(changed(base_deck, "{z: \"0.3*t\"}", "{x: 1, z: \"0.3*t\"}")), IsEmpty());
   EXPECT_THAT(remarks_of(changed(changed(base_deck, "\"0.3*t\"", "0.3"), "count: 20", "count: 1")), IsEmpty());
   EXPECT_THAT(remarks_of(changed(changed(base_deck, "\"0.3*t\"", "0.3"), "    model:", "    density: 1\n    model:") +

@@ -1,4 +1,4 @@
-/// Values of the wrong form, keys of other programs, numbers with units: the message says what to write instead.
+/// For values of the wrong form, keys of other programs and numbers with units the message says what to write instead.
 #include <filesystem>
 #include <fstream>
 #include <ostream>
@@ -17,7 +17,7 @@ struct Wrong {
   const char* name;
   const char* from;
   const char* to;
-  const char* message;  ///< all of it, behind the file's name
+  const char* message;  ///< the whole message behind the file's name
 };
 void PrintTo(const Wrong& wrong, std::ostream* out) { *out << wrong.from << " -> " << wrong.to; }
 
@@ -155,7 +155,7 @@ TEST(Remedies, EveryColumnOfTheHistoryIsTaken) {
     EXPECT_THAT(message_of(changed(base_deck, "name: pull", "name: " + column)), HasSubstr("has a column " + column));
 }
 
-/// A mesh by its first bytes or its name; a table is one under any name.
+/// A mesh is recognised by its first bytes or its name. A table is one under any name.
 TEST(Remedies, AMeshIsCalledAMesh) {
   const auto folder = std::filesystem::temp_directory_path() / "perinox_test_mesh";
   std::filesystem::create_directories(folder);

@@ -1,4 +1,4 @@
-/// The resolved deck reads back to the same deck.
+/// The resolved deck must read back to the same deck.
 #include <cmath>
 
 #include "deck/fixture.hpp"
@@ -6,7 +6,7 @@
 namespace perinox::deck {
 namespace {
 
-/// Same kind, keys in the same order, same scalars; places and origin aside.
+/// Expects the same kind, keys in the same order and the same scalars. Places and origin do not count.
 void expect_same(const Value& a, const Value& b, const std::string& path) {
   ASSERT_EQ(a.kind(), b.kind()) << path;
   if (a.kind() == Value::Kind::scalar) {

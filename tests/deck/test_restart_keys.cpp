@@ -1,4 +1,4 @@
-/// Which keys of a deck may change on a restart.
+/// Tests which keys of a deck may change on a restart.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-/// Help, reference page and JSON Schema come from the one declaration and name everything.
+/// Help, reference page and JSON Schema come from the one declaration and must name everything.
 #include <yaml-cpp/yaml.h>
 
 #include <functional>
@@ -12,7 +12,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Every key name in the schema, and every key that is not a list's or named map's element.
+/// Collects every key in the schema that has a name; the elements of lists and named maps have none.
 void collect(const Key& key, std::vector<const Key*>& found) {
   if (!key.name.empty()) found.push_back(&key);
   for (const Key& inner : key.keys) collect(inner, found);
@@ -136,7 +136,7 @@ TEST(Help, TellsEveryOutputField) {
     EXPECT_THAT(page, HasSubstr("| `" + field.name + "` | " + field.sentence + " | "));
     EXPECT_THAT(list, HasSubstr(field.sentence));
   }
-  // A name of a key too: both are told.
+  // This is a name of a key too, so both are told.
   EXPECT_THAT(schema.help("displacement"), HasSubstr("boundary.displacement\n"));
   EXPECT_EQ(
       schema.help("stress"),
@@ -160,7 +160,7 @@ TEST(ReferencePage, NamesEveryKeyOnce) {
     EXPECT_THAT(page, HasSubstr("### model: " + model.name));
 }
 
-/// The YAML blocks of the page: the first is a whole deck, each other one replaces that deck's part of the same name.
+/// The YAML blocks of the page. The first is a whole deck; each other one replaces that deck's part of the same name.
 std::vector<std::string> examples(const std::string& page) {
   std::vector<std::string> found;
   for (std::size_t at = page.find("```yaml\n"); at != std::string::npos; at = page.find("```yaml\n", at)) {

@@ -8,7 +8,7 @@
 #include "support/fracture.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -396,9 +396,9 @@ TEST(ArcLength, TheMeanOfUntilIsByVolume) {
   const equilibrium::FixedMean mean(self, set, volume, 2, 0, 0.8);
   EXPECT_NEAR(mean.mean(displacement), (0.1 + 3 * 0.5) / 4, 1e-16);
   equilibrium::PathPoint at;
-  at.displacement = displacement;
+  at.displacement.change() = displacement;
   EXPECT_NEAR(mean.value(at), 0.4 / 0.8 - 1, 1e-15);
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

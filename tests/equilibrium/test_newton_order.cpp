@@ -7,7 +7,7 @@
 
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 /// Tight linear solves, no line search: the tangent alone decides the order.
@@ -66,4 +66,4 @@ TEST(NewtonOrder, LinearWithThePrintedTangent) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

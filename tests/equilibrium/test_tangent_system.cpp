@@ -3,7 +3,7 @@
 
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 struct Setting {
@@ -89,4 +89,4 @@ TEST(TangentSystem, EveryStepSaysWhereItsTimeWent) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -9,7 +9,7 @@
 #include "support/fracture.hpp"
 #include "support/measured.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using test::measured;
@@ -128,4 +128,4 @@ TEST(BondBreaking, ABondsEnergyIsWhatTheStoredEnergyLoses) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -9,7 +9,7 @@
 #include "support/measured.hpp"
 #include "support/rotated_lattice.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using test::measured;
@@ -157,7 +157,8 @@ TEST(BondLimits, TheStretchHoldsTheEnergyReleaseRate) {
   const double density = 2 * (1000 / (2 * (1 - 0.3))) * s * s;
   mechanics::Trial trial;
   std::vector<double> force(plate.scene.owned_unknowns());
-  mechanics::internal_force(plate.scene, plate.committed, plate.committed.displacement().data(), trial, force.data());
+  mechanics::Evaluation evaluation(plate.scene);
+  mechanics::internal_force(evaluation, plate.committed, plate.committed.at(), trial, force.data());
   EXPECT_LE(off("bond limits: energy density at the stretch", trial.stored_energy[middle] / density),
             1e-12);  // 6.7e-16
   EXPECT_LE(off("bond limits: energy across a crack at the stretch",
@@ -234,4 +235,4 @@ TEST(BondLimits, AreDescribed) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -8,7 +8,7 @@
 #include "support/broken.hpp"
 #include "support/fracture.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -166,4 +166,4 @@ TEST(LoosePieces, ATurnIsARestlessMotionInSmallDeformationOnly) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

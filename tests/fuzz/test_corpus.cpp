@@ -1,5 +1,5 @@
-/// What the fuzzers start from and what they have found: each file is accepted or refused with a sentence, as its name
-/// in the list below says where it matters.
+/// Tests the files with which the fuzzers start and those that they have found. Each is accepted or refused with a
+/// sentence; the lists below say which, where it matters.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class Corpus : public ::testing::TestWithParam<Target> {
   }
 };
 
-/// What is right, so that the rest of the corpus is not refused for a reason that has nothing to do with it.
+/// Files that are right, so that the rest of the corpus is not refused for a reason that has nothing to do with it.
 const std::map<std::string, std::vector<std::string>> right{
     {"deck", {}},
     {"cloud", {"odd_but_right.csv", "plane.csv"}},
@@ -38,7 +38,7 @@ const std::map<std::string, std::vector<std::string>> right{
     {"expression", {"condition", "functions", "lists", "nested", "ramp"}},
     {"checkpoint", {"usual"}}};
 
-/// Values under a right checksum that the rest of the program could not stand, and what the refusal says.
+/// Values under a right checksum that the rest of the program could not bear, and what the refusal says.
 const std::map<std::string, std::string> wrong_checkpoints{
     {"broken_half_bond", "has half a bond"},
     {"broken_no_particle", "no particles or no rounds"},

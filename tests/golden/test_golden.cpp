@@ -1,5 +1,5 @@
-/// Every deck of inputs/ against what it gave when its golden file was written: history and iteration counts of every
-/// step. A solver that gets worse fails here. After a change that is meant, write the files anew:
+/// Compares every deck of inputs/ with its golden file: history and iteration counts of every step. A solver that gets
+/// worse fails here. After a change that is intended, write the files anew:
 ///     PERINOX_WRITE_GOLDEN=1 build/test_golden
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 const std::string folder = PERINOX_SOURCE_DIR "/tests/golden/";
@@ -24,7 +24,7 @@ std::vector<std::string> decks() {
   return names;
 }
 
-/// One row a step: counts first, then energies and the deck's history.
+/// One row for each step: counts first, then energies and the deck's history.
 std::vector<std::vector<double>> rows_of(const RunResult& run) {
   std::vector<std::vector<double>> rows;
   for (const StepRecord& step : run.records.steps) {
@@ -71,15 +71,16 @@ TEST_P(Golden, HistoryAndIterationCounts) {
   if (std::getenv("PERINOX_WRITE_GOLDEN")) write_rows(path, deck, rows);
   const std::vector<std::vector<double>> golden = read_rows(path);
   ASSERT_EQ(rows.size(), golden.size()) << "no, or another, golden file " << path;
-  // Largest size of each column: what its differences are measured against.
+  // Differences are measured against the largest size of each column.
   std::vector<double> size(golden.front().size(), 0.0);
   for (const std::vector<double>& row : golden)
     for (std::size_t k = 0; k < row.size(); ++k) size[k] = std::max(size[k], std::abs(row[k]));
   for (std::size_t step = 0; step < rows.size(); ++step) {
     ASSERT_EQ(rows[step].size(), golden[step].size());
     EXPECT_LE(std::abs(rows[step][1] - golden[step][1]), 1) << "Newton iterations of step " << step + 1;
-    // Rounding of another compiler may move a count by one or two in a hundred; along an arc, where the tangent is
-    // nearly singular, by more: measured up to 12 in a hundred with the sweeps of other instruction sets.
+    // Rounding of another compiler may move a count by one or two in a hundred. Along an arc, where the tangent is
+    // nearly singular, it may move it by more: measured up to 12 in a hundred with the sweeps of other instruction
+    // sets.
     const double slack = deck.steps.control == deck::Control::arc_length ? 1.2 : 1.03;
     EXPECT_LE(rows[step][2], golden[step][2] * slack + 2) << "linear iterations of step " << step + 1;
     // The work integrals of inexact Newton agree to the Newton tolerance, 1e-8 of the reactions.
@@ -91,4 +92,4 @@ TEST_P(Golden, HistoryAndIterationCounts) {
 INSTANTIATE_TEST_SUITE_P(Inputs, Golden, ::testing::ValuesIn(decks()), [](const auto& tested) { return tested.param; });
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

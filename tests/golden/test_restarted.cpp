@@ -1,5 +1,5 @@
-/// Decks of inputs/ that are broken off after every step and go on from their own checkpoints each time: the same rows
-/// and the same end to the last bit. The normal run takes a sample; scripts/restarts.sh takes all of them.
+/// Breaks decks of inputs/ off after every step and goes on from their own checkpoints each time. Rows and end must be
+/// the same to the last bit. The normal run takes a sample; scripts/restarts.sh takes all of them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -9,7 +9,7 @@
 #include "support/breaking_decks.hpp"
 #include "support/restarts.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 void expect_same_in_pieces(const deck::Deck& deck) {
@@ -26,7 +26,7 @@ void expect_same_in_pieces(const deck::Deck& deck) {
   std::printf("%d runs of a step each\n", pieces);
 }
 
-/// Names of decks; all of them where PERINOX_RESTARTS says so.
+/// Names of the decks. They are all decks if PERINOX_RESTARTS is set.
 std::vector<std::string> restarted() {
   if (!std::getenv("PERINOX_RESTARTS")) return {"pulled_bar", "snapping_bar", "ringing_bar", "single_bond"};
   std::vector<std::string> names;
@@ -47,10 +47,10 @@ TEST_P(Restarted, AfterEveryStep) {
 INSTANTIATE_TEST_SUITE_P(Inputs, Restarted, ::testing::ValuesIn(restarted()),
                          [](const auto& tested) { return tested.param; });
 
-// One bond a pass: as many rounds of breaking as there are bonds, and loose pieces looked for in each of them.
+// One bond a pass means as many rounds of breaking as there are bonds, and a search for loose pieces in each of them.
 TEST(RestartedPasses, OneBondAtATime) {
   expect_same_in_pieces(deck_of(torn_plate, {"fracture.pass_share=1e-9", "fracture.max_passes=1000"}));
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -1,4 +1,4 @@
-/// Copies of coarse nodes where a crack parts the body.
+/// A background grid copies its nodes where a crack parts the body.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -6,10 +6,10 @@
 
 #include "support/linear_problem.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
-/// The coarse grid of a held cube of 12^3 with cells of 3 x 3 x 3 particles.
+/// The background grid of a held cube of 12^3 particles, with cells of 3 x 3 x 3 particles.
 struct Pieces {
   explicit Pieces(const std::string& more)
       : deck(deck_of(held_cube(12, 0.33, more))),
@@ -17,7 +17,8 @@ struct Pieces {
         prescribed(static_cast<std::size_t>(scene.local()) * 3, 0),
         grid(scene.body(), prescribed, scene.families().damage, scene.bond_graph(), 3.0) {}
 
-  /// Nodes used by particles below, or above, half the height; the functions' sum must be 1 at all of them.
+  /// Nodes used by particles below, or above, half the height. It also checks that the functions sum to 1 at each of
+  /// them.
   std::set<LocalIndex> nodes(bool above) const {
     std::set<LocalIndex> found;
     for (const grid::GridElement& element : grid.elements())
@@ -71,4 +72,4 @@ TEST(NodeCopies, HalfACrackCopiesNodesOfItsPlaneOnly) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

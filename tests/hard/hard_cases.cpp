@@ -9,7 +9,7 @@
 
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 
 namespace {
 /// The comment at the head of a deck, in one line.
@@ -56,7 +56,7 @@ CaseResult run_case(const std::string& deck) {
     result.outcome = Outcome::refused;
     result.sentence = refusal.what();
   }
-  // A path of this machine has no place in the file.
+  // A path of this machine must not be in the file.
   for (std::size_t at; (at = result.sentence.find(PERINOX_SOURCE_DIR "/")) != std::string::npos;)
     result.sentence.erase(at, std::string(PERINOX_SOURCE_DIR "/").size());
   return result;
@@ -127,4 +127,4 @@ units agree to 1e-10, the energy of a turned block does not change, the slender 
   return text + "\nWhat the others say:\n\n" + sentences;
 }
 
-}  // namespace perinox::testing
+}  // namespace perinox::test

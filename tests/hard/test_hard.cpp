@@ -1,6 +1,6 @@
-/// Every deck of inputs/hard/: it converges with its energies in balance, or stops or is refused with the true reason.
+/// Every deck of inputs/hard/ converges with its energies in balance, or it stops or is refused with the true reason.
 /// Counts are compared with tests/hard/outcomes.csv, from which the table of docs/hard_cases.md is made. After a change
-/// that is meant, write both anew:
+/// that is intended, write both anew:
 ///     PERINOX_WRITE_GOLDEN=1 build/test_hard
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -13,19 +13,19 @@
 
 #include "hard_cases.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 const std::string outcomes_file = PERINOX_SOURCE_DIR "/tests/hard/outcomes.csv";
 const std::string page = PERINOX_SOURCE_DIR "/docs/hard_cases.md";
 
-/// What each deck must come to. Nothing here is written by a run.
+/// The outcome that each deck must have. Nothing here is written by a run.
 struct Expected {
   const char* deck;
   Outcome outcome;
-  const char* words;   ///< of the sentence with which it stops or is refused
+  const char* words;   ///< words in the sentence with which it stops or is refused
   double gap;          ///< share of the energies that may be missing
-  double slack = 1.1;  ///< of the counts; more where rounding chooses among equal ways down
+  double slack = 1.1;  ///< factor on the counts; more where rounding chooses among equal ways down
 };
 const Expected cases[] = {
     {"balanced_forces", Outcome::refused, "nothing holds the body", 0},
@@ -69,7 +69,7 @@ const Expected cases[] = {
     {"units_millimetres", Outcome::converged, "", 1e-9},     // 2.5e-11
 };
 
-std::vector<CaseResult> results;  ///< of this program, in the order run
+std::vector<CaseResult> results;  ///< results of this program, in the order run
 
 class Hard : public ::testing::TestWithParam<Expected> {
  protected:
@@ -108,7 +108,7 @@ TEST(HardCases, EveryDeckIsTried) {
   EXPECT_THAT(tried, ::testing::UnorderedElementsAreArray(decks));
 }
 
-/// One answer in three systems of units.
+/// Three systems of units must give one answer.
 TEST(HardCases, UnitsMakeNoDifference) {
   const CaseResult millimetres = run_case("units_millimetres");
   for (const auto& [deck, length] : {std::pair{"units_micrometres", 1e3}, std::pair{"units_kilometres", 1e-6}}) {
@@ -122,16 +122,17 @@ TEST(HardCases, UnitsMakeNoDifference) {
   }
 }
 
-/// The energy of a stretched block does not know how far it has been turned.
+/// The energy of a stretched block must not depend on how far it has been turned.
 TEST(HardCases, TurningStoresNoEnergy) {
   const double stored = run_case("rotation_30").stored;
   for (const char* deck : {"rotation_90", "rotation_180"})
     EXPECT_NEAR(run_case(deck).stored, stored, 1e-7 * stored) << deck;  // 2e-10 of it
 }
 
-/// Euler's elastica under its own weight (a dead load), by shooting.
+/// Compares with Euler's elastica under its own weight (a dead load), by shooting.
 TEST(HardCases, TheSlenderBarBendsAsTheElastica) {
-  // From the clamped third layer to the tip; the second moment of four layers of points is 1 - 1/16 of a solid's.
+  // The length is from the clamped third layer to the tip. The second moment of four layers of points is 1 - 1/16 of a
+  // solid's.
   const double length = 399, bending = 200e3 * 8 / 12 * 15 / 16, load = 0.02;
   const auto end = [&](double curvature, double& tip) {  // of the angle's derivative at the free end
     double angle = 0, slope = curvature, y = 0;
@@ -153,11 +154,11 @@ TEST(HardCases, TheSlenderBarBendsAsTheElastica) {
   }
   const CaseResult bent = run_case("slender_bending");
   ASSERT_EQ(bent.outcome, Outcome::converged);
-  // 3.3 % more: four layers of particles are a little too soft in bending (docs/verification.md).
+  // Measured is 3.3 % more: four layers of particles are a little too soft in bending (docs/verification.md).
   EXPECT_NEAR(bent.history.back(), tip, 0.05 * std::abs(tip));
 }
 
-/// Half the length of a clamped bar that is pressed by a tenth: the bow of a cosine, a = 2 L sqrt(0.1)/pi, less for
+/// A clamped bar of free length L that is pressed by a tenth bows as a cosine of height a = 2 L sqrt(0.1)/pi, less for
 /// large rotations.
 TEST(HardCases, TheBuckledBarBows) {
   const CaseResult buckled = run_case("post_buckling");
@@ -183,4 +184,4 @@ TEST(HardCases, ThePageIsMadeOfTheOutcomes) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -1,20 +1,39 @@
 # Rules of the house that a compiler does not see; run by ctest as
 #   cmake -DROOT=<source folder> -P check_house.cmake
 # 1. A room includes headers of the rooms before it only, in the order of `rooms` below.
-# 2. No file of the program or of its tests is longer than `longest` lines.
+# 2. A header of include/ is read by another room, or by such a header of its own room; a header beside a source file is
+#    read by its own room only, and by no header of include/.
+# 3. No file of the program or of its tests is longer than `longest` lines.
 # Prints every breach with its file and line, and fails if there is one.
 cmake_minimum_required(VERSION 3.20)
-set(rooms core deck body bonds grid materials mechanics linear loads equilibrium fracture motion stepping output study app)
-set(longest 600)
+set(rooms core deck body bonds grid materials medium mechanics linear loads equilibrium fracture motion stepping output study app)
+set(longest 470)
 set(breaches "")
 set(files_read 0)
 set(includes_read 0)
+set(public_headers "")
+set(read_elsewhere "")
 
 foreach(room IN LISTS rooms)
   list(FIND rooms ${room} rank_of_room)
   file(GLOB_RECURSE files "${ROOT}/include/perinox/${room}/*" "${ROOT}/src/${room}/*")
   foreach(file IN LISTS files)
     file(RELATIVE_PATH name "${ROOT}" "${file}")
+    if(name MATCHES "^include/perinox/(.*)$")
+      list(APPEND public_headers ${CMAKE_MATCH_1})
+    endif()
+    file(STRINGS "${file}" private REGEX "#[ \t]*include[ \t]*\"")
+    foreach(line IN LISTS private)
+      if(line MATCHES "\"perinox/")
+        continue()
+      endif()
+      if(name MATCHES "^include/")
+        string(APPEND breaches "  ${name}: ${line}\n    a header of include/ reads no header from beside a source file\n")
+      elseif(line MATCHES "\"[.][.]/[.][.]/|\"[.][.]/([a-z0-9_]+)/" OR
+             (line MATCHES "\"([a-z0-9_]+)/" AND CMAKE_MATCH_1 IN_LIST rooms))
+        string(APPEND breaches "  ${name}: ${line}\n    this header belongs to another room: only those of include/ are shared\n")
+      endif()
+    endforeach()
     file(STRINGS "${file}" includes REGEX "#[ \t]*include[ \t]*[<\"]perinox/")
     foreach(line IN LISTS includes)
       math(EXPR includes_read "${includes_read} + 1")
@@ -23,6 +42,10 @@ foreach(room IN LISTS rooms)
         continue()
       endif()
       set(other ${CMAKE_MATCH_1})
+      string(REGEX REPLACE ".*[<\"]perinox/([^>\"]*)[>\"].*" "\\1" header "${line}")
+      if(NOT other STREQUAL room OR name MATCHES "^include/")
+        list(APPEND read_elsewhere ${header})
+      endif()
       list(FIND rooms ${other} rank_of_other)
       if(rank_of_other LESS 0)
         string(APPEND breaches "  ${name}: ${line}\n    ${other} is not a room: the rooms are ${rooms}\n")
@@ -33,7 +56,21 @@ foreach(room IN LISTS rooms)
   endforeach()
 endforeach()
 
-# A folder that is no room would escape the rule above.
+file(GLOB_RECURSE examples "${ROOT}/examples/*.cpp")
+foreach(file IN LISTS examples)
+  file(STRINGS "${file}" includes REGEX "#[ \t]*include[ \t]*[<\"]perinox/")
+  foreach(line IN LISTS includes)
+    string(REGEX REPLACE ".*[<\"]perinox/([^>\"]*)[>\"].*" "\\1" header "${line}")
+    list(APPEND read_elsewhere ${header})
+  endforeach()
+endforeach()
+foreach(header IN LISTS public_headers)
+  if(NOT header IN_LIST read_elsewhere)
+    string(APPEND breaches "  include/perinox/${header}\n    is read by no other room: move it beside its source file\n")
+  endif()
+endforeach()
+
+# A folder that is no room would escape the rules above.
 foreach(place src include/perinox)
   file(GLOB children RELATIVE "${ROOT}/${place}" "${ROOT}/${place}/*")
   foreach(child IN LISTS children)

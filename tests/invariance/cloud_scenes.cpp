@@ -13,7 +13,7 @@ struct CloudPoint {
   double volume;
 };
 
-/// As a body of the text. The points are in spacings from the origin.
+/// Adds a cloud as a body of the text. The points are in spacings from the origin.
 void add_cloud(SceneText& text, const std::string& name, const std::string& folder,
                const std::vector<CloudPoint>& points, const std::string& material = "one") {
   const std::string file = folder + "/" + name + ".csv";
@@ -39,7 +39,8 @@ std::vector<CloudPoint> jittered(Lot& lot, bool solid, const Vector3& from, cons
   return points;
 }
 
-/// Cells of a lattice turned by an angle about z (and, in 3-D, about another axis too), whose centres are in a box.
+/// Cells of a lattice whose centres are in a box. The lattice is turned by an angle about z (and, in 3-D, about another
+/// axis too).
 std::vector<CloudPoint> turned(Lot& lot, bool solid, const Vector3& size) {
   const double angle = lot.one_of<double>({0, std::acos(-1.0) / 4, lot.between(0.1, 1.4)});
   const Vector3 axis = solid && lot.chance(0.5) ? Vector3{1, 0.3, 2} : Vector3{0, 0, 1};

@@ -4,7 +4,7 @@
 
 namespace perinox::invariance {
 
-/// Points near those of a lattice, and volumes that vary.
+/// Points near those of a lattice, with volumes that vary.
 RandomScene jittered_cloud(Lot& lot, const std::string& folder);
 /// A perfect lattice that is turned against the body, given as points.
 RandomScene turned_cloud(Lot& lot, const std::string& folder);

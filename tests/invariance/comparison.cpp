@@ -1,4 +1,4 @@
-/// How far two answers are apart.
+/// Finds how far two answers are apart.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +10,7 @@ namespace perinox::invariance {
 
 namespace {
 
-/// The particle nearest to a place, if it is nearer than a tenth of the spacing.
+/// Finds the particle nearest to a place, if it is nearer than a tenth of the spacing.
 class Places {
  public:
   Places(const std::vector<double>& place, double spacing) : place_(place), cell_(spacing) {
@@ -50,7 +50,7 @@ class Places {
   std::unordered_multimap<std::size_t, std::size_t> at_;
 };
 
-/// Without a number on either side, infinite.
+/// The difference of two numbers. It is infinite if either is not finite.
 double gap(double found, double wanted) {
   const double apart = std::abs(found - wanted);
   return std::isfinite(apart) ? apart : std::numeric_limits<double>::infinity();
@@ -128,7 +128,7 @@ class Comparison {
     if (base_.rows.empty()) return;
     if (all && base_.rows.size() != changed_.rows.size()) return worst_.take(1, 1, "steps");
     const std::size_t count = all ? base_.rows.size() : 1;
-    // Sums over particles may cancel: their rounding is that of what is summed.
+    // Sums over particles may cancel. Their rounding is that of the terms.
     const double forces = sum_of("force"), ways = largest_of("displacement");
     const auto column = [&](auto values, double factor, double least, const std::string& name) {
       double difference = 0, size = factor * least;

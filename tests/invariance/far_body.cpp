@@ -1,4 +1,4 @@
-/// One more body, far away from all others.
+/// Adds one more body, far away from all others.
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
@@ -10,7 +10,7 @@ namespace perinox::invariance {
 
 namespace {
 
-/// Sets by a formula, and the set of all particles, end before a body that is beyond an x.
+/// Ends sets given by a formula, and the set of all particles, before a body that lies beyond an x.
 void end_sets(YAML::Node root, double beyond_x) {
   for (auto set : root["sets"])
     if (set.second["where"])

@@ -11,7 +11,7 @@ Vector3 size_of(Lot& lot, bool solid) {
   return {double(lot.whole(11, 15)), double(lot.whole(7, 11)), 0};
 }
 
-/// One end held, the other one moved or drawn by a force; the middle under its weight.
+/// One end is held, the other one is moved or drawn by a force, and the middle is under its weight.
 void load(Lot& lot, SceneText& text, const Vector3& size) {
   text.add_set("foot", "<", 2);
   text.add_set("head", ">", size[0] - 2);
@@ -87,7 +87,7 @@ RandomScene bodies_apart(Lot& lot) {
 RandomScene box_that_cuts_cells(Lot& lot) {
   SceneText text(lot, lot.chance(0.4));
   Vector3 size = size_of(lot, text.solid());
-  // Exactly half a cell, too: it is what people write.
+  // Exactly half a cell is included, because people write it.
   for (int c = 1; c < text.d(); ++c)
     size[static_cast<std::size_t>(c)] += lot.chance(0.3) ? 0.5 : lot.sign() * lot.between(0.05, 0.45);
   text.body("a", text.box({}, size), text.h);

@@ -1,5 +1,5 @@
 #pragma once
-/// What the suite has compared: every comparison under its kind, over all ranks, and the table of it.
+/// Collects what the suite has compared: every comparison under its kind, over all ranks, and the table of it.
 #include <string>
 #include <vector>
 
@@ -17,8 +17,8 @@ class Ledger {
   void add(Entry entry) { entries_.push_back(std::move(entry)); }
   /// Entries of all ranks, on all ranks alike. Collective.
   std::vector<Entry> of_all_ranks() const;
-  /// Brings the entries of all ranks together, prints one line a kind (scenes, largest deviation, where) and every
-  /// entry beyond its bound, and fails the test for those. Empties the ledger. Collective.
+  /// Brings the entries of all ranks together, prints one line for each kind (scenes, largest deviation, where) and
+  /// every entry beyond its bound, and fails the test for those. Empties the ledger. Collective.
   void judge(const std::string& title);
 
  private:
@@ -28,7 +28,7 @@ class Ledger {
 /// Largest deviation that a kind of transformation may make. Throws std::logic_error for a kind without one.
 double bound_of(const std::string& kind);
 
-/// True if everything is asked for, not the sample of the normal test run (scripts/invariance.sh).
+/// True if the whole suite is asked for, and not the sample of the normal test run (scripts/invariance.sh).
 bool everything();
 
 }  // namespace perinox::invariance

@@ -1,5 +1,6 @@
 #pragma once
-/// Numbers drawn by lot, the same on every machine: the distributions of <random> differ between libraries.
+/// Draws numbers by lot. They are the same on every machine, while the distributions of <random> differ between
+/// libraries.
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -9,7 +10,7 @@ namespace perinox::invariance {
 class Lot {
  public:
   explicit Lot(unsigned seed) : engine_(seed) {}
-  /// Between two bounds.
+  /// A number between two bounds.
   double between(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_()) + 0.5) / 4294967296.0;
   }

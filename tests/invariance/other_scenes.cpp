@@ -18,7 +18,7 @@ std::string without(const std::string& first, const std::string& second) {
 
 RandomScene curved_body(Lot& lot) {
   SceneText text(lot, lot.chance(0.3));
-  // An even number of cells across: no face of the round surface is exactly along an axis.
+  // The lattice has an even number of cells across, so no face of the round surface is exactly along an axis.
   const double radius = (text.solid() ? lot.whole(3, 4) : lot.whole(5, 7)) + lot.between(-0.2, 0.2);
   const std::string whole = sphere(text, {}, radius);
   const std::string shape =
@@ -53,8 +53,8 @@ RandomScene curved_body(Lot& lot) {
 RandomScene slit_body(Lot& lot) {
   SceneText text(lot, lot.chance(0.25));
   const Vector3 size = text.solid() ? Vector3{9, 6, 3} : Vector3{14, 12, 0};
-  // A bond across the slit leaves the material by its width at least, or passes its end by more than half a spacing:
-  // always farther than the 0.3 spacings at which it would be kept.
+  // A bond across the slit leaves the material by at least the slit's width, or passes its end by more than half a
+  // spacing. That is always farther than the 0.3 spacings at which the bond would be kept.
   const double width = lot.between(0.45, 2.2), begin = 0.45 * size[0] + lot.between(0, 0.9);
   const double low = 0.5 * size[1] - width / 2 + lot.between(-0.4, 0.4), middle = low + width / 2;
   const std::string slit = text.box({begin, low, -1}, {size[0] + 1, low + width, size[2] + 1});
@@ -93,7 +93,7 @@ RandomScene split_body(Lot& lot) {
   two.body("b", two.box({cut, 0, 0}, size), two.h);
   RandomScene scene = named("body in one piece", text);
   Variant variant{"one body as two", two.text()};
-  variant.rows = text.plastic ? Rows::none : Rows::all;  // `yielded` is of the first body
+  variant.rows = text.plastic ? Rows::none : Rows::all;  // `yielded` is that of the first body
   scene.variants.push_back(variant);
   return scene;
 }

@@ -103,7 +103,7 @@ class Rewriting {
     return out;
   }
 
-  /// A map of components x, y, z, each a formula.
+  /// True for a map of components x, y, z, each a formula.
   bool is_vector(const YAML::Node& node, const Key& key) const {
     if (!node["x"] && !node["y"] && !node["z"]) return false;
     return std::any_of(key.keys.begin(), key.keys.end(),
@@ -158,7 +158,7 @@ class Rewriting {
     }
   }
 
-  /// Of a history entry, or of arc_length.until with its displacement.
+  /// Rewrites the component of a history entry, or of arc_length.until with its displacement.
   void component(YAML::Node entry) const {
     const auto old = static_cast<std::size_t>(entry["component"].as<std::string>()[0] - 'x');
     entry["component"] = std::string(1, "xyz"[change_.axis(old)]);
@@ -166,7 +166,7 @@ class Rewriting {
       entry["displacement"] = digits(entry["displacement"].as<double>() * change_.sign(old));
   }
 
-  /// A cloud, a table of displacements or of hardening.
+  /// Rewrites the file of a cloud, of a table of displacements or of hardening.
   std::string file(const std::string& name) {
     const std::string old = std::filesystem::path(name).is_absolute() ? name : folder_ + "/" + name;
     const std::string made = fmt::format("{}_{}.csv", prefix_, files_++);

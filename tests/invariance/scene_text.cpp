@@ -28,7 +28,7 @@ SceneText::SceneText(Lot& lot, bool solid) : lot_(lot), solid_(solid), modulus_(
   quadrature_ = lot.one_of<std::string>({"position-aware", "position-aware", "position-aware", "whole",
                                          "partial-volume", "taper-inside", "surface-energy"});
   influence_ = lot.one_of<std::string>({"constant", "inverse", "polynomial"});
-  // None is within 0.005 of the distance of two particles of a lattice, in quarters of a spacing either.
+  // No ratio is within 0.005 of the distance of two particles of a lattice, in quarters of a spacing either.
   ratio_ = solid ? lot.one_of<double>({2.515, 3.015}) : lot.one_of<double>({2.515, 3.015, 3.3});
   plastic = lot.chance(0.35);
   small = lot.chance(0.5);
@@ -44,7 +44,7 @@ std::string SceneText::material(Lot& lot, bool flows) const {
   if (!flows) return text;
   text += fmt::format(", yield_stress: {{{}: {}}}", lot.chance(0.5) ? "tension" : "shear",
                       digits(modulus * lot.between(0.001, 0.003)));
-  // Always some hardening, so that every load has an equilibrium.
+  // There is always some hardening, so that every load has an equilibrium.
   text += fmt::format(", hardening_modulus: {{tension: {}}}", digits(modulus * lot.between(0.05, 0.2)));
   if (lot.chance(0.3))
     text += fmt::format(", kinematic_hardening_modulus: {{shear: {}}}", digits(modulus * lot.between(0.01, 0.05)));

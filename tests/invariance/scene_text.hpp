@@ -1,5 +1,5 @@
 #pragma once
-/// A deck in the making: what is common to all random scenes, and the text of it.
+/// A deck in the making: what is common to all random scenes, and its text.
 #include <fmt/format.h>
 
 #include <string>
@@ -26,21 +26,22 @@ class SceneText {
   std::string box(const Vector3& min, const Vector3& max) const;
   double x(double cells) const { return origin[0] + cells * h; }
   double y(double cells) const { return origin[1] + cells * h; }
-  /// A set named `name` of the particles below ("<") or above (">") a place in x.
+  /// Adds a set named `name` of the particles below ("<") or above (">") a place in x.
   void add_set(const std::string& name, const char* side, double cells);
 
   void body(const std::string& name, const std::string& shape, double spacing, const std::string& material = "one");
-  /// All components held.
+  /// Holds all components.
   void hold(const std::string& set);
-  /// All components moved by t times a random strain of `size` spacings.
+  /// Moves all components by t times a random strain of `size` spacings.
   void move(const std::string& set, double size);
   void force(const std::string& set, double stress);
-  /// A body force that varies over the body, on all particles of a set.
+  /// Adds a body force that varies over the body, on all particles of a set.
   void weigh(const std::string& set);
   void pressure(const std::string& set, double stress, const std::string& facing = "");
-  /// A straight cut in the plane, or a rectangle that stands on it through the whole thickness. In spacings.
+  /// Adds a crack: a straight cut in the plane, or a rectangle that stands on it through the whole thickness. In
+  /// spacings.
   void crack(const Vector3& start, const Vector3& end, double thickness);
-  /// Reactions and movements of a set, all components.
+  /// Records reactions and movements of a set, all components.
   void record(const std::string& set);
 
   bool plastic = false, small = true;

@@ -10,7 +10,7 @@ namespace perinox::invariance {
 std::vector<std::string> shipped_names();
 /// A deck of inputs/ with tolerances so tight that only rounding is left.
 DeckText shipped(const std::string& name);
-/// The same up to its step `steps`, or whole if it has not so many.
+/// The deck up to its step `steps`, or the whole deck if it does not have so many.
 std::string shortened(const std::string& yaml, int steps);
 int steps_of(const std::string& yaml);
 /// True if its steps go along an arc.

@@ -1,4 +1,4 @@
-/// The suite itself: it sees what it is there to see, and rewriting a deck twice leads back.
+/// Tests the suite itself: it must detect deviations, and rewriting a deck twice must lead back.
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
@@ -69,7 +69,7 @@ TEST(Comparison, SeesParticlesThatAreMissingOrTooMany) {
   EXPECT_EQ(apart(changed, true), 0);
 }
 
-/// A stress turned as a tensor: sigma n for the turned normal is the turned traction.
+/// A stress turns as a tensor: sigma n for the turned normal is the turned traction.
 TEST(Comparison, TurnsTensorsAsTheirTractions) {
   Transformation change;
   change.turn = rotation({1, -2, 0.5}, 0.7);

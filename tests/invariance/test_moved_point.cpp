@@ -12,8 +12,8 @@
 namespace perinox::invariance {
 namespace {
 
-/// A plate of 12 x 8 points or a bar of 9 x 4 x 4, jittered or not, whose point `moved` is off by `way`. No other pair
-/// of points is within 0.004 of the horizon's length of it.
+/// The answer of a plate of 12 x 8 points or a bar of 9 x 4 x 4, jittered or not, whose point `moved` is off by `way`.
+/// The distance of no other pair of points differs from the horizon by less than 0.004 of it.
 Answer answer_with(const std::string& folder, bool solid, double jitter, std::size_t moved, const Vector3& way) {
   Lot lot(5);
   const int size[3] = {solid ? 9 : 12, solid ? 4 : 8, solid ? 4 : 1};
@@ -78,7 +78,7 @@ TEST(MovedPoint, TheAnswerHasASlope) {
       EXPECT_LE(test::measured("slopes over ways of 1e-4 and 1e-6 apart, " + name, largest(apart) / largest(wide)),
                 1e-5);
 
-      // A billionth of a spacing is enough for whatever asks whether points lie on a lattice.
+      // A billionth of a spacing is enough to change any test of whether points lie on a lattice.
       const Answer at = answer_with(folder.path(), solid, jitter, moved, {}),
                    near = answer_with(folder.path(), solid, jitter, moved, {1e-9, 0, 0});
       const double change = deviation(at, near, {}, Rows::none, false);

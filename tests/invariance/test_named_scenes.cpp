@@ -1,4 +1,4 @@
-/// Scenes in which an answer once depended on what has nothing to do with it, each with the description that showed it.
+/// Scenes in which an answer once depended on something unrelated, each with the description that showed it.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ solver:
 struct Named {
   std::string name, yaml;
   std::vector<Variant> variants;
-  bool frames = false;  ///< moved, mirrored and so on too
+  bool frames = false;  ///< also moved, mirrored and so on
 };
 
 Variant variant(const std::string& kind, const std::string& yaml, Rows rows = Rows::all, bool more = false) {
@@ -29,7 +29,8 @@ Variant variant(const std::string& kind, const std::string& yaml, Rows rows = Ro
   return made;
 }
 
-// Body b is far from a and of the same spacing, but not on one lattice with it: a once lost its cubic factor to it.
+// Body b is far from a and of the same spacing, but not on one lattice with it. Body a once lost its cubic factor to
+// it.
 Named lattices_apart() {
   const auto deck = [](bool both) {
     return fmt::format(
@@ -59,7 +60,7 @@ history: [{{name: Fz, reaction: hi, component: z}}, {{name: Fx, reaction: hi, co
       "two lattices far apart", deck(false), {variant("another body beside it", deck(true), Rows::all, true)}, true};
 }
 
-/// Two bodies with two spacings between them, bonded as bodies that touch are, or not at all.
+/// Two bodies with two spacings between them. They are bonded as bodies that touch are, or not at all.
 Named bodies_with_a_gap() {
   const auto deck = [](const char* bonded) {
     return fmt::format(R"(
@@ -84,8 +85,8 @@ history: [{{name: pull, reaction: right, component: x}}]
       "bodies with a gap of two spacings", deck("false"), {variant("bonded across a gap or not", deck("true"))}, true};
 }
 
-/// A crack from corner to corner of a square, through the centres of particles, far from the origin. It may be refused:
-/// then everywhere.
+/// A crack from corner to corner of a square, through the centres of particles, far from the origin. If it is refused,
+/// it must be refused in all descriptions.
 Named crack_through_centres(double x, double y) {
   const std::string deck =
       fmt::format(R"(
@@ -106,7 +107,8 @@ steps: {{end: 1, count: 1}}
   return {fmt::format("crack through centres at {:g}", x), deck, {}, true};
 }
 
-/// One crack, its ends exchanged, and made of two that meet. Through centres it may be refused: then in every form.
+/// One crack, with its ends exchanged, and made of two that meet. Through centres it may be refused, but then in every
+/// form.
 Named crack_on_a_row(const std::string& name, double y) {
   const auto deck = [&](const std::string& cracks) {
     return fmt::format(R"(
@@ -136,7 +138,7 @@ history: [{{name: pull, reaction: high, component: y}}]
           true};
 }
 
-/// Bounds of sets on the centres of particles, which 0.35 and 0.65 are not to the last bit.
+/// Bounds of sets lie on the centres of particles, which 0.35 and 0.65 are not to the last bit.
 Named bounds_on_particles(const char* low, const char* high) {
   const std::string deck = fmt::format(R"(
 dimension: plane-stress
@@ -205,7 +207,7 @@ TEST(NamedScenes, NothingElseMatters) {
     const Answer base = answer_of(scene.yaml, folder.path(), MPI_COMM_SELF);
     std::vector<Variant> variants = scene.variants;
     Lot lot(static_cast<unsigned>(k));
-    // Of a scene that is refused the places are not known.
+    // The places of a scene that is refused are not known.
     const Extent extent = base.place.empty() ? Extent{{0, 0, 0}, {12, 12, 0}} : extent_of(base);
     const int dimension = scene.yaml.find("dimension: 3") == std::string::npos ? 2 : 3;
     if (scene.frames)

@@ -1,4 +1,4 @@
-/// Random scenes, each described in other ways that must not matter (variants.hpp), restarted, and on 1 to 4 ranks.
+/// Random scenes are described in other ways that must not matter (variants.hpp), restarted, and run on 1 to 4 ranks.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace perinox::invariance {
 namespace {
 
-/// Two scenes of each sort, or all; PERINOX_INVARIANCE_SCENES="7 17 27" asks for some.
+/// Numbers of two scenes of each sort, or of all; PERINOX_INVARIANCE_SCENES="7 17 27" asks for some.
 std::vector<int> numbers() {
   std::vector<int> wanted;
   if (const char* list = std::getenv("PERINOX_INVARIANCE_SCENES")) {

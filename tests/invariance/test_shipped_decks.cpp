@@ -1,5 +1,6 @@
-/// The decks of inputs/ in other frames, units and orders, with a body far away, restarted, and on 1 to 4 ranks. Where
-/// bonds break, up to the step before the first does: what breaks next may hang on a rounding.
+/// Tests the decks of inputs/ in other frames, units and orders, with a body far away, restarted, and on 1 to 4 ranks.
+/// Decks in which bonds break are run up to the step before the first one does, because what breaks next may depend on
+/// rounding.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,8 +14,9 @@
 namespace perinox::invariance {
 namespace {
 
-/// The normal test run takes the first steps of the decks that are done in a few seconds;
-/// PERINOX_INVARIANCE_DECKS="cyclic_cube l_panel" asks for some, PERINOX_INVARIANCE_STEPS=5 for so many steps.
+/// The normal test run takes the first steps of the decks that are done in a few seconds.
+/// PERINOX_INVARIANCE_DECKS="cyclic_cube l_panel" asks for some decks, PERINOX_INVARIANCE_STEPS=5 for a number of
+/// steps.
 constexpr int sample_steps = 2;
 const std::vector<std::string> long_ones{"branching_plate",  "cracked_block", "fragmenting_ring",
                                          "kalthoff_winkler", "tension_block", "thick_sphere"};
@@ -101,7 +103,7 @@ TEST(ShippedDecks, RestartAfterEveryStep) {
     if (static_cast<int>(k) % ranks_of_world() != rank_of_world()) continue;
     const DeckText deck = shipped(names[k]);
     if (follows_a_path(deck.yaml)) continue;  // it writes no checkpoint (docs/restart.md)
-    // One step more than the sample has, so that there are two to go on from.
+    // This takes one step more than the sample has, so that there are two to go on from.
     compare_restarts(ledger, names[k], shortened(deck.yaml, most_steps() + 1), deck.folder);
   }
   ledger.judge("shipped decks");

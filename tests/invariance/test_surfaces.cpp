@@ -1,4 +1,4 @@
-/// Volumes and surfaces: sums that no lattice and no direction may change.
+/// Tests volumes and surfaces: sums that no lattice and no direction may change.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace perinox::invariance {
 namespace {
 
 double volume_of(const std::string& dimension, const std::string& shape) {
-  const deck::Deck deck = testing::deck_of(fmt::format(R"(
+  const deck::Deck deck = test::deck_of(fmt::format(R"(
 dimension: {}
 body: [{{name: a, shape: {}, spacing: 1, material: m}}]
 horizon: {{ratio: 2.015}}
@@ -88,7 +88,7 @@ std::vector<Closed> closed_surfaces() {
   };
 }
 
-/// Everything is held, so that the reactions are the loads.
+/// Everything is held, so the reactions are the loads.
 TEST(Surfaces, PressureOnAClosedSurfaceNetsZero) {
   const std::vector<Closed> all = closed_surfaces();
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -110,7 +110,8 @@ history: [{{name: x, reaction: all, component: x}}, {{name: y, reaction: all, co
                               solid ? ", {name: z, reaction: all, component: z}" : ""),
                   ".", MPI_COMM_SELF);
     ASSERT_EQ(answer.refused + answer.stopped, "") << closed.name;
-    // The surface of a square or cube of the same volume: the surfaces have that much or more, but for round ones.
+    // This is the surface of a square or cube of the same volume. The other surfaces have that much or more, except
+    // round ones.
     const double volume = std::accumulate(answer.volume.begin(), answer.volume.end(), 0.0);
     const double loads = 2 * answer.dimension * std::pow(volume, 1 - 1.0 / answer.dimension);
     for (const double net : answer.rows.back().reactions)

@@ -10,7 +10,7 @@ namespace perinox::invariance {
 
 namespace {
 
-/// Place of xx, xy ... in the list of six.
+/// Places of xx, xy ... in the list of six.
 constexpr std::size_t place_of[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
 }  // namespace

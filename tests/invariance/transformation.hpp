@@ -1,6 +1,6 @@
 #pragma once
 /// A change of the frame and of the units in which a scene is described. The answer must change with it and with
-/// nothing else: new position = length * turn * old position + shift.
+/// nothing else. The new position is length * turn * old position + shift.
 #include <array>
 #include <cmath>
 #include <string>
@@ -14,8 +14,8 @@ struct Transformation {
   std::string kind = "none";
   std::array<Vector3, 3> turn{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< orthogonal; a mirror has determinant -1
   Vector3 shift{};                                                 ///< in the new unit of length
-  double length = 1;                                               ///< new units of length in an old one
-  double stress = 1;                                               ///< the same of stress
+  double length = 1;                                               ///< number of new units of length in an old one
+  double stress = 1;                                               ///< number of new units of stress in an old one
 
   Vector3 direction(const Vector3& v) const {
     Vector3 out{};
@@ -28,12 +28,12 @@ struct Transformation {
     for (std::size_t i = 0; i < 3; ++i) out[i] = length * out[i] + shift[i];
     return out;
   }
-  /// Of a symmetric tensor xx xy xz yy yz zz, without a change of unit.
+  /// Transforms a symmetric tensor xx xy xz yy yz zz, without a change of unit.
   std::array<double, 6> tensor(const double* s) const;
 
   /// True if axes go to axes, so that boxes stay boxes.
   bool along_axes() const;
-  /// Of an old axis: the new one, and the sign it has there. Only where along_axes().
+  /// The new axis of an old one, and the sign that it has there. Only where along_axes().
   std::size_t axis(std::size_t old) const;
   double sign(std::size_t old) const { return turn[axis(old)][old]; }
   /// True if formulas of the position have to be written anew.
@@ -41,8 +41,8 @@ struct Transformation {
 
   /// A formula of the old x, y, z as one of the new ones.
   std::string formula(const std::string& text) const;
-  /// What a number of this unit of the schema is multiplied by. Times stay as they are, so densities change.
-  /// Throws std::logic_error for a unit that it does not know.
+  /// The factor on a number of this unit of the schema. Times stay as they are, so densities change. Throws
+  /// std::logic_error for a unit that it does not know.
   double factor(const std::string& unit, int dimension) const;
 };
 

@@ -34,7 +34,7 @@ YAML::Node reversed_map(const YAML::Node& map) {
   return out;
 }
 
-/// Puts `word` for the load parameter t in every formula below a node.
+/// Replaces the load parameter t by `word` in every formula below a node.
 void replace_load_parameter(YAML::Node node, const std::string& word) {
   if (node.IsScalar()) {
     const auto text = node.as<std::string>();

@@ -33,7 +33,7 @@ int ranks_of_world() {
 
 namespace {
 
-/// Any exception of the work is a deviation of 1, and its sentence what deviates.
+/// Does the work. Any exception counts as a deviation of 1, whose name is the exception's sentence.
 template <class Work>
 void noted(Ledger& ledger, const std::string& kind, const std::string& scene, Work&& work) {
   Entry entry{kind, scene, 1, ""};
@@ -57,7 +57,7 @@ void compare(Ledger& ledger, const std::string& scene, const Answer& base, const
 
 void compare_restarts(Ledger& ledger, const std::string& scene, const std::string& yaml, const std::string& folder) {
   noted(ledger, "restarted after every step", scene, [&](std::string& what) {
-    using namespace perinox::testing;
+    using namespace perinox::test;
     const deck::Deck deck = deck::read_text(yaml, folder + "/deck.yaml", materials::full_schema());
     const CheckpointFolder checkpoints{Communicator(MPI_COMM_SELF)};
     const RunResult whole = run_with_checkpoints(deck, MPI_COMM_SELF, "", &checkpoints);

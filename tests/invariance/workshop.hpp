@@ -1,5 +1,5 @@
 #pragma once
-/// Where scenes are run: folders for their files, the comparisons of one scene, and the ranks that share the work.
+/// Runs scenes: folders for their files, the comparisons of one scene, and the ranks that share the work.
 #include <mpi.h>
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace perinox::invariance {
 
-/// A folder of this rank, gone at the end.
+/// A folder of this rank that is gone at the end.
 class WorkFolder {
  public:
   WorkFolder();
@@ -33,8 +33,8 @@ void compare(Ledger& ledger, const std::string& scene, const Answer& base, const
 /// Runs the scene with a checkpoint after every step, goes on from each of them, and notes how far the ends are apart.
 void compare_restarts(Ledger& ledger, const std::string& scene, const std::string& yaml, const std::string& folder);
 
-/// Runs the scene on 2, 3 and 4 ranks, as far as there are, `first` being the first of them, where `base` is its
-/// answer on one rank. Collective over all ranks of the program.
+/// Runs the scene on 2, 3 and 4 ranks, as far as there are, beginning with rank `first`. `base` is its answer on one
+/// rank. Collective over all ranks of the program.
 void compare_ranks(Ledger& ledger, const std::string& scene, const Answer& base, const std::string& yaml,
                    const std::string& folder, int first);
 

@@ -11,7 +11,7 @@
 #include "support/linear_problem.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using Vector = std::vector<double>;
@@ -125,7 +125,7 @@ TEST(ChebyshevAcceleration, IsWhatNearlyIncompressibleScenesTake) {
     EXPECT_EQ(run.preconditioner, "two-level");
     const StepRecord& step = run.records.steps.back();
     const auto products = step.profile.count_of(Section::product);
-    std::printf("nu %g: %d equilibrium::Newton iterations, %d linear, %lld products\n", ratio, step.newton_iterations,
+    std::printf("nu %g: %d Newton iterations, %d linear, %lld products\n", ratio, step.newton_iterations,
                 step.linear_iterations, products);
     return std::array<double, 2>{static_cast<double>(step.linear_iterations), static_cast<double>(products)};
   };
@@ -140,4 +140,4 @@ TEST(ChebyshevAcceleration, IsWhatNearlyIncompressibleScenesTake) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -7,7 +7,7 @@
 
 #include "linear/coarse_solver.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using linear::CoarseMatrix;
@@ -73,4 +73,4 @@ TEST(CoarseFactors, AnIndefiniteMatrixIsRefused) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -9,7 +9,7 @@
 #include "linear/nested_nodes.hpp"
 #include "support/linear_problem.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using Vector = std::vector<double>;
@@ -142,4 +142,4 @@ TEST(NestedNodes, CycleIsNearTheInverse) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -8,7 +8,7 @@
 #include "support/linear_problem.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using Vector = std::vector<double>;
@@ -197,4 +197,4 @@ TEST(TwoLevel, CoarseMatrixFollowsPlasticFlow) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

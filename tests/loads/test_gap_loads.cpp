@@ -7,7 +7,7 @@
 #include "support/measured.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using test::measured;
@@ -185,4 +185,4 @@ steps: {{end: 1, count: 1}}
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

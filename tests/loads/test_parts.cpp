@@ -10,7 +10,7 @@
 #include "support/fracture.hpp"
 #include "support/measured.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using test::measured;
@@ -79,4 +79,4 @@ TEST(Parts, HalfTheSizeOfABodyIsOfThePartThatMoves) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

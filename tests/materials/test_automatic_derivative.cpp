@@ -1,6 +1,6 @@
-/// The library's force and modulus states against derivatives, exact to rounding, of a second implementation: one
-/// scalar potential written straight from the formulas, differentiated once and twice by Sacado, and a force state
-/// written straight from Mitchell's Eq. 24, 28, 40-45, differentiated by complex steps.
+/// Compares the library's force and modulus states with derivatives, exact to rounding, of a second implementation. It
+/// has one scalar potential, written straight from the formulas and differentiated once and twice by Sacado, and a
+/// force state written straight from Mitchell's Eq. 24, 28, 40-45 and differentiated by complex steps.
 #include <gtest/gtest.h>
 
 #include <Sacado.hpp>
@@ -69,14 +69,14 @@ Scalar trial_norm(const Problem& problem, const std::vector<Scalar>& trial) {
   return sqrt(square);
 }
 
-/// alpha sqrt(sum omega e_d^2 weight).
+/// The norm alpha sqrt(sum omega e_d^2 weight).
 template <class Scalar>
 Scalar total_norm(Problem problem, const std::vector<Scalar>& extension) {
   problem.plastic_extension.assign(extension.size(), 0.0);
   return trial_norm(problem, trial_state(problem, extension));
 }
 
-/// beta(N) on the way up: constant, or linear with the slope H/(H + alpha/c^2).
+/// The yield value beta(N) while N grows: constant, or linear with the slope H/(H + alpha/c^2).
 struct Surface {
   explicit Surface(const Problem& p)
       : start(p.yield_scale() * (p.surface.stress + p.surface.hardening * p.plastic_shear)),
@@ -85,7 +85,8 @@ struct Surface {
   double start, slope;
 };
 
-/// kappa theta^2/2 plus the deviatoric part: quadratic in N below the surface, beyond it the integral of beta/alpha dN.
+/// The potential kappa theta^2/2 plus the deviatoric part, which is quadratic in N below the surface and the integral
+/// of beta/alpha dN beyond it.
 template <class Scalar>
 Scalar potential(const Problem& problem, const std::vector<Scalar>& extension) {
   const Scalar theta = dilatation(problem, extension);
@@ -143,7 +144,7 @@ class AutomaticDerivative : public ::testing::TestWithParam<std::tuple<MaterialR
     }
   }
 
-  /// Rows of the modulus state as the library has it: dt_i/de_j.
+  /// Rows of the library's modulus state: dt_i/de_j.
   std::vector<Vector> library_modulus() const {
     const materials::ModulusState modulus = point_.modulus(extension_);
     std::vector<Vector> rows(bonds, Vector(bonds));

@@ -1,5 +1,5 @@
-/// Any two of the five elastic constants give the same material; too few and contradictory ones are refused in a
-/// sentence that names the deck's line (formulation 1).
+/// Any two of the five elastic constants give the same material (docs/theory.md, section 2). Too few and contradictory
+/// ones are refused in a sentence that names the deck's line.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ std::string refusal(const deck::Material& material) {
   return "(accepted)";
 }
 
-/// The five constants of one material: the textbook formulas from k and mu.
+/// The five constants of one material, by the textbook formulas from k and mu.
 Constants all_five(double k, double mu) {
   return {{"bulk_modulus", k},
           {"shear_modulus", mu},
@@ -50,7 +50,8 @@ struct Solid {
   const char* name;
   double bulk, shear;
 };
-// Ordinary, nearly incompressible (nu = 0.498), and one of negative Poisson's ratio and lambda (nu = -0.35).
+// An ordinary solid, a nearly incompressible one (nu = 0.498), and one of negative Poisson's ratio and lambda (nu =
+// -0.35).
 const Solid solids[] = {{"steel", 160e9, 79e9}, {"rubber", 2e9, 8e6}, {"auxetic", 3e6, 8e6}};
 
 TEST(ElasticConstants, AllTenPairsGiveTheSameMaterial) {
@@ -76,7 +77,8 @@ TEST(ElasticConstants, DerivedOnesAndTheTwoDimensionalBulkModulus) {
   EXPECT_DOUBLE_EQ(steel.young(), five[2].second);
   EXPECT_DOUBLE_EQ(steel.poisson(), five[3].second);
   EXPECT_DOUBLE_EQ(steel.bulk_of(deck::Dimension::three), steel.bulk);
-  // Equal biaxial strain e in the plane: stress over 2 e. Plane strain lambda + mu; plane stress E/(2 (1 - nu)).
+  // Under equal biaxial strain e in the plane, stress over 2 e is lambda + mu in plane strain and E/(2 (1 - nu)) in
+  // plane stress.
   EXPECT_NEAR(steel.bulk_of(deck::Dimension::plane_strain) / (five[4].second + steel.shear), 1, 1e-14);
   EXPECT_NEAR(steel.bulk_of(deck::Dimension::plane_stress) / (steel.young() / (2 * (1 - steel.poisson()))), 1, 1e-14);
 }
@@ -91,7 +93,7 @@ TEST(ElasticConstants, TooFewAreRefused) {
 
 TEST(ElasticConstants, ContradictionsAreRefused) {
   const Constants five = all_five(160e9, 79e9);
-  // The third of three is off by 1e-5, which is more than the 1e-6 allowed, and by 1e-7, which is less.
+  // The third of three constants is off by 1e-5, which is more than the 1e-6 allowed, and by 1e-7, which is less.
   for (std::size_t third = 2; third < five.size(); ++third) {
     SCOPED_TRACE(five[third].first);
     Constants three{five[0], five[1], five[third]};
@@ -113,7 +115,7 @@ TEST(ElasticConstants, PairsWithoutAPositiveModulusAreRefused) {
 TEST(Registry, MakesMaterialsFromTheDeck) {
   const std::unique_ptr<Material> elastic =
       make(elastic_of({{"young_modulus", 200e9}, {"poisson_ratio", 0.3}}), deck::Dimension::plane_stress);
-  // kappa of plane stress: E/(2 (1 - nu)).
+  // kappa of plane stress is E/(2 (1 - nu)).
   EXPECT_THAT(elastic->summary(), HasSubstr(fmt::format("kappa {:g}", 200e9 / 1.4)));
   EXPECT_TRUE(elastic->history().point.empty());
   EXPECT_EQ(elastic->history().per_bond, 0);
@@ -134,7 +136,7 @@ deck::Material plastic_of(const char* test_kind, double yield, const char* harde
 }
 
 TEST(Registry, TensionAndShearYieldMeanTheSameMaterial) {
-  // sigma_y = sqrt(3) tau_y (Eq. 56), d sigma/d eps_p = 3 d tau/d gamma_p.
+  // The conversions are sigma_y = sqrt(3) tau_y (Eq. 56) and d sigma/d eps_p = 3 d tau/d gamma_p.
   const auto tension = make(plastic_of("tension", 300e6, "tension", 6e9), deck::Dimension::three);
   const auto shear = make(plastic_of("shear", 300e6 / std::sqrt(3.0), "shear", 2e9), deck::Dimension::three);
   EXPECT_EQ(tension->summary(), shear->summary());

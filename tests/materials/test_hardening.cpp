@@ -1,5 +1,5 @@
-/// Isotropic hardening, linear and from a table, and kinematic hardening in 3-D against classical J2 plasticity; the
-/// curve itself; the keys of the deck.
+/// Compares isotropic hardening, linear and from a table, and kinematic hardening in 3-D with classical J2 plasticity.
+/// Also tests the curve itself and the keys of the deck.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -51,7 +51,7 @@ TEST(Hardening, IsClassicalUnderUniformStrain) {
     }
 }
 
-/// In shear the elastic range of kinematic hardening keeps its width, 2 tau; with isotropic hardening it widens.
+/// In shear the elastic range of kinematic hardening keeps its width, 2 tau. With isotropic hardening it widens.
 TEST(Hardening, ReverseYieldOfKinematicHardeningComesEarlier) {
   const IsotropicFamily ball(3, 3.015);
   for (const Hardening& hardening : hardenings()) {
@@ -75,7 +75,7 @@ TEST(HardeningCurve, FlowEndsOnTheCurveAndItsWorkIsTheAreaBelow) {
   const double end = rows.back()[0];
   for (const double from : {0.0, 0.3 * end, rows[1][0], 1.2 * end})
     for (const double step : {1e-3 * end, 0.4 * end, 1.5 * end}) {
-      // A driving stress that falls with 0.7 mu and meets the curve after `step`.
+      // The driving stress falls with 0.7 mu and meets the curve after `step`.
       const double driving = point.yield_stress(from + step) + 0.7 * shear * step;
       const auto flow =
           curve.flow(from, [&](double stress, double slope) { return (driving - stress) / (slope + 0.7 * shear); });
@@ -92,7 +92,7 @@ TEST(HardeningCurve, FlowEndsOnTheCurveAndItsWorkIsTheAreaBelow) {
     }
 }
 
-/// A file that is gone with the test.
+/// A file that is gone when the test ends.
 struct Table {
   explicit Table(const std::string& text)
       : path(std::filesystem::temp_directory_path() / ("perinox_table_" + std::to_string(::getpid()) + ".csv")) {

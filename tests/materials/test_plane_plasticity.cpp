@@ -1,5 +1,6 @@
-/// Plasticity in the plane, with every kind of hardening, against classical J2 plasticity of the solid under the same
-/// strain: the strain out of the plane is zero (plane strain) or sought so that its stress vanishes (plane stress).
+/// Compares plasticity in the plane, with every kind of hardening, with classical J2 plasticity of the solid under the
+/// same strain. The strain out of the plane is zero (plane strain) or sought so that its stress vanishes (plane
+/// stress).
 #include <gtest/gtest.h>
 
 #include "support/isotropic_family.hpp"

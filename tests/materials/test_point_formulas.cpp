@@ -1,5 +1,6 @@
-/// Every material in every state and influence function: the force state is the derivative of an energy, the modulus
-/// state is the derivative of the force state, and plastic flow obeys its yield surface (formulation 2 and 3).
+/// For every material in every state and with every influence function, the force state is the derivative of an energy,
+/// the modulus state is the derivative of the force state, and plastic flow obeys its yield surface (docs/theory.md,
+/// sections 2, 3 and 5).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,16 +25,16 @@ class PointFormulas : public ::testing::TestWithParam<std::tuple<MaterialRow, Lo
         point_(*material_, family_) {
     const auto& stops = path().stops;
     for (std::size_t s = 0; s < stops.size(); ++s) {
-      // The dilatation changes from stop to stop and must not matter to the flow. (Where dilatation is off it does:
-      // kept too small to make the elastic stops flow.)
+      // The dilatation changes from stop to stop and must not matter to the flow. (Where dilatation is off it does
+      // matter, so it is kept too small to make the elastic stops flow.)
       extension_ = random_extension(family_, stops[s].shear * yield_strain,
                                     (0.3 - 0.2 * static_cast<double>(s)) * yield_strain, stops[s].direction);
       if (s + 1 < stops.size()) point_.commit(point_.evaluate(extension_));
     }
   }
 
-  /// Derivative of `value` along `direction` at the extension under test: central differences of fourth order with the
-  /// given step, exact for polynomials up to the fourth degree.
+  /// Derivative of `value` along `direction` at the extension under test, by central differences of fourth order with
+  /// the given step. They are exact for polynomials up to the fourth degree.
   template <class Value>
   auto derivative(const Vector& direction, double step, Value value) const {
     const auto at = [&](double s) {
@@ -58,8 +59,8 @@ class PointFormulas : public ::testing::TestWithParam<std::tuple<MaterialRow, Lo
   Vector extension_;
 };
 
-// Steps of the difference quotients, relative to the yield extension of a bond of unit length: small beside the
-// distance of every state to the yield surface (0.1 yield strains at least), large beside rounding.
+// Steps of the difference quotients, relative to the yield extension of a bond of unit length. They are small beside
+// the distance of every state to the yield surface (at least 0.1 yield strains) and large beside rounding.
 const double steps[] = {1e-1, 3e-2, 1e-2, 3e-3, 1e-3};
 
 TEST_P(PointFormulas, FlowsWhereThePathSaysSo) {
@@ -127,10 +128,11 @@ TEST_P(PlasticPointFormulas, EndsOnTheYieldSurfaceAndStaysThere) {
   const double d = row().dimension, m = family_.weighted_volume;
   const Evaluation now = point_.evaluate(extension_);
 
-  // The norm of what yields, from the force state and the history; a bond without influence carries none.
+  // This is the norm of the part that yields, from the force state and the history. A bond without influence carries
+  // none.
   double square = 0;
   const double pressure = d * bulk * now.response.dilatation / m;
-  // Less the back stress alpha h e_p, h = H_k/mu; the bonds carry (1 + h) e_p.
+  // The back stress alpha h e_p, h = H_k/mu, is subtracted. The bonds carry (1 + h) e_p.
   const double overlay = surface.kinematic / shear, back = d * (d + 2) * shear / m * overlay / (1 + overlay);
   const auto yields = [&](int j) {
     return now.force_state[j] - family_.influence[j] * (pressure * family_.length[j] + back * now.bond_history[j]);
@@ -150,8 +152,8 @@ TEST_P(PlasticPointFormulas, EndsOnTheYieldSurfaceAndStaysThere) {
   EXPECT_LE(measured("materials: distance to the yield surface", std::abs(std::sqrt(square) / beta - 1)),
             1e-14);  // 3.3e-16
 
-  // What is dissipated is the yield stress times the flow, and t_d . e_p of the step is that at the step's end, which
-  // is Delta lambda beta^2.
+  // The dissipation is the yield stress times the flow. t_d . e_p of the step is that at the step's end, which is Delta
+  // lambda beta^2.
   const double lambda = now.point_history.at(0) - point_.committed_point().at(0);
   const double flow = std::sqrt(3.0) * (now.point_history.at(1) - point_.committed_point().at(1));
   EXPECT_GT(now.response.dissipation, 0);
@@ -168,7 +170,7 @@ TEST_P(PlasticPointFormulas, EndsOnTheYieldSurfaceAndStaysThere) {
   EXPECT_LE(measured("materials: t_d . de_p against yield stress times flow", std::abs(work / (tau * flow) - 1)),
             1e-13);
 
-  // The state reached is an elastic one of the next step.
+  // The state that is reached is an elastic one of the next step.
   MaterialPoint next = point_;
   next.commit(now);
   const Evaluation again = next.evaluate(extension_);
@@ -203,7 +205,7 @@ INSTANTIATE_TEST_SUITE_P(Materials, PlasticPointFormulas,
                                             ::testing::ValuesIn(load_paths()), influences),
                          name_of_case);
 
-// A model that nobody put into the table is not tested: this test then fails.
+// A model that nobody has put into the table is not tested. This test then fails.
 TEST(MaterialTable, HasEveryRegisteredModel) {
   std::vector<std::string> tested;
   for (const MaterialRow& row : material_table()) tested.push_back(row.model);

@@ -1,5 +1,5 @@
-/// Mitchell's section 8: two points with V = 1, one bond of length 1 at 45 degrees to the shear, horizon 1, dilatation
-/// taken as zero. Everything about it is known in closed form.
+/// Mitchell's section 8: two points with V = 1 and one bond of length 1 at 45 degrees to the shear, with horizon 1 and
+/// the dilatation taken as zero. Everything about it is known in closed form.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace perinox::test {
 namespace {
 
 const double pi = std::acos(-1.0);
-// Section 8 (MPa): bulk and shear modulus, yield stress in tension; tau_y by Eq. 56.
+// Constants of section 8 (MPa): bulk and shear modulus, yield stress in tension; tau_y follows by Eq. 56.
 constexpr double bulk = 67.5e3;
 constexpr double shear = 25.9e3;
 const double tau = 203.1 / std::sqrt(3.0);
@@ -24,14 +24,14 @@ class SingleBond : public ::testing::Test {
     family_.weighted_volume = 1;                     // omega xi^2 V
     family_.continuum_weighted_volume = 4 * pi / 5;  // 4 pi delta^5/5
   }
-  /// Small strain: e = xi gamma cos(45) sin(45) (Eq. 48).
+  /// Extension under small strain: e = xi gamma cos(45) sin(45) (Eq. 48).
   static Vector extension(double gamma) { return {0.5 * gamma}; }
 
   RandomFamily family_;
   materials::ElasticPlastic material_{{bulk, shear, tau, 0, true, false}};
 };
 
-// t = 15 mu e meets beta = sqrt(2 psi0) = tau sqrt(75/(4 pi)) (Eq. 51) at e = gamma/2.
+// The bond yields where t = 15 mu e meets beta = sqrt(2 psi0) = tau sqrt(75/(4 pi)) (Eq. 51), at e = gamma/2.
 const double alpha = 15 * shear;
 const double beta = tau * std::sqrt(75 / (4 * pi));
 const double yield_gamma = 2 * beta / alpha;
@@ -45,8 +45,8 @@ TEST_F(SingleBond, YieldsWhereThePaperSays) {
 }
 
 TEST_F(SingleBond, LoopOfLoadingUnloadingAndReloading) {
-  // To the right, back through reverse yield, and to the right again, as in figure 5, in steps that do not meet the
-  // kinks. The exact answer: t moves along alpha e and is cut off at +-beta.
+  // The path goes to the right, back through reverse yield, and to the right again, as in figure 5, in steps that do
+  // not meet the kinks. In the exact answer t moves along alpha e and is cut off at +-beta.
   const double turns[] = {0, 4.2e-3, -3.3e-3, 5.1e-3};
   const int steps = 37;
   MaterialPoint point(material_, family_);
@@ -74,7 +74,8 @@ TEST_F(SingleBond, LoopOfLoadingUnloadingAndReloading) {
   EXPECT_NEAR(previous_force, beta, 1e-12 * beta);
   EXPECT_GT(flowing, steps);
   EXPECT_GT(elastic, steps / 2);
-  // Plastic work of the loop: beta times the plastic paths 4.2, 7.5 and 8.4 (1e-3) less the elastic spans, halved.
+  // The plastic work of the loop is beta times the plastic paths 4.2, 7.5 and 8.4 (1e-3) less the elastic spans,
+  // halved.
   const double path = 0.5 * ((4.2e-3 - yield_gamma) + (7.5e-3 - 2 * yield_gamma) + (8.4e-3 - 2 * yield_gamma));
   EXPECT_NEAR(work / (beta * path), 1, 1e-12);
   EXPECT_NEAR(dissipated / (beta * path), 1, 1e-12);

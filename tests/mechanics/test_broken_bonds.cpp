@@ -42,7 +42,7 @@ struct Damaged {
     if (half_way && path.empty()) path.push_back(sum(Vector(here.size(), 0.0), 0.8, here));
     const std::vector<mechanics::BondEnds> ends = some_bonds(scene, 1.0 / 3, 17);
     if (!half_way) scene.break_bonds(ends);
-    for (const Vector& field : path) committed.advance(scene, internal_force(scene, committed, field).trial);
+    for (const Vector& field : path) commit(scene, committed, internal_force(scene, committed, field).trial);
     if (half_way) scene.break_bonds(ends, &committed.plastic());
   }
   mechanics::Scene scene;
@@ -212,7 +212,7 @@ double unaccounted_after_breaking(const char* name, deck::Quadrature quadrature,
   mechanics::Committed committed = committed_after(scene, {field});
   scene.break_bonds(some_bonds(scene, 1.0 / 3, 17), &committed.plastic());
   // Once more at the same place: what the break sets off is not of interest here.
-  committed.advance(scene, internal_force(scene, committed, field).trial);
+  commit(scene, committed, internal_force(scene, committed, field).trial);
   Answer last = internal_force(scene, committed, field);
   const double at_start = last.trial.stored;
   double work = 0, dissipated = 0;
@@ -222,7 +222,7 @@ double unaccounted_after_breaking(const char* name, deck::Quadrature quadrature,
     for (std::size_t u = 0; u < here.size(); ++u) work -= 0.5 * (last.force[u] + answer.force[u]) * field[u] / steps;
     dissipated += answer.trial.dissipated;
     last = answer;
-    committed.advance(scene, std::move(answer.trial));
+    commit(scene, committed, std::move(answer.trial));
   }
   return (work - (last.trial.stored - at_start) - dissipated) / work;
 }

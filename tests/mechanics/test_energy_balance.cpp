@@ -42,6 +42,7 @@ struct Ledger {
 /// mechanics::PathWork adds to it.
 Ledger ledger_of(const mechanics::Scene& scene, int steps) {
   Ledger ledger;
+  mechanics::Evaluation evaluation(scene);
   mechanics::Committed committed(scene);
   Vector previous(scene.owned_unknowns(), 0.0), previous_force(scene.owned_unknowns(), 0.0);
   for (const auto& [from, to] : {std::pair{0.0, 12.0}, std::pair{12.0, -4.0}})
@@ -52,9 +53,9 @@ Ledger ledger_of(const mechanics::Scene& scene, int steps) {
         ledger.work -= 0.5 * (answer.force[u] + previous_force[u]) * (here[u] - previous[u]);
       ledger.dissipated += answer.trial.dissipated;
       ledger.stored = answer.trial.stored;
-      const mechanics::PathWork path(scene, committed, answer.trial);
-      committed.advance(scene, std::move(answer.trial));
-      ledger.beyond_chord += path.beyond_chord(scene, committed);
+      const mechanics::PathWork path(evaluation, committed, answer.trial);
+      commit(scene, committed, std::move(answer.trial));
+      ledger.beyond_chord += path.beyond_chord(evaluation, committed);
       previous = here;
       previous_force = answer.force;
     }

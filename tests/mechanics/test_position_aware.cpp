@@ -177,7 +177,7 @@ TEST(PositionAware, HardensAsTheLocalSolidEverywhere) {
         }
         EXPECT_LE(measured("position-aware: stored energy against J2", worst), 1e-10);  // 2.6e-13
         EXPECT_LE(measured("position-aware: gamma_p against J2", flow), 1e-10);         // 8.4e-13
-        committed.advance(scene, std::move(trial));
+        commit(scene, committed, std::move(trial));
         solid = next;
         EXPECT_LE(measured("position-aware: stress and strain fields against J2",
                            fields_off(scene, committed, solid, strain)),

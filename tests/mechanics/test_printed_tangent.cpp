@@ -1,4 +1,4 @@
-/// Mitchell's Eq. 65 as it is printed is not the linearisation of his Eq. 45 (formulation 3, errata). Shown here on 8^3
+/// Mitchell's Eq. 65 as it is printed is not the linearisation of his Eq. 45 (docs/theory.md, section 7). Shown here on 8^3
 /// particles, all flowing: the consistent form is the derivative, the printed one is not, error by error.
 ///  (a) The first coefficient, 3k/m - alpha beta/(3N), lacks the factor 3/m of the dilatation's gradient. m is a length
 ///  to
@@ -125,7 +125,7 @@ TEST(PrintedTangent, PrintedFormIsWrongByAnAmountThatDependsOnTheUnitOfLength) {
 }
 
 TEST(PrintedTangent, FirstCoefficientIsOffByAThirdOfTheWeightedVolume) {
-  // With a spacing of 0.5 m/3 is about 7 inside: the lattice's 1.131 (formulation 5) of 4 pi delta^5/5.
+  // With a spacing of 0.5 m/3 is about 7 inside: the lattice's 1.131 (docs/theory.md, section 11) of 4 pi delta^5/5.
   const mechanics::Scene inside = make_scene(lattice_deck(deck::Dimension::three, {8, 8, 8}, 0.5, 3.015),
                                              materials_of(std::make_unique<materials::ElasticPlastic>(parameters)));
   const Vector& m = inside.bonds().weighted_volume;

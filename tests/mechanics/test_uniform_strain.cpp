@@ -1,5 +1,5 @@
 /// A lattice point whose whole family is inside the body, under uniform strain: its energy is kappa theta^2/2 plus the
-/// shear energy up to the error of the quadrature, which is known for each horizon (formulation 5).
+/// shear energy up to the error of the quadrature, which is known for each horizon (docs/theory.md, section 11).
 #include <gtest/gtest.h>
 
 #include "materials/elastic.hpp"

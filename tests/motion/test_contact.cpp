@@ -3,7 +3,7 @@
 
 #include "support/motion.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 TEST(Contact, TwoBarsExchangeTheirVelocities) {
@@ -110,4 +110,4 @@ history: [{{name: rod, displacement: rod, component: z}}]
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

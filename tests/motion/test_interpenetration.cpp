@@ -7,7 +7,7 @@
 #include "perinox/motion/interpenetration.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using Point = std::array<double, 3>;
@@ -260,4 +260,4 @@ steps: {end: 2, count: 4}
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

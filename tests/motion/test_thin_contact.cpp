@@ -5,7 +5,7 @@
 #include "support/motion.hpp"
 #include "support/thin_bodies.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 TEST(ThinContact, BodiesOneParticleThickDoNotPassEachOtherWhateverIsFarAway) {
@@ -71,4 +71,4 @@ steps: {{end: 1, count: 1}}
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -1,4 +1,4 @@
-/// The body and bonds on several ranks against one rank alone: ids, places, families, halo, sets, refusals.
+/// Compares body and bonds on several ranks with one rank alone: ids, places, families, halo, sets, refusals.
 #include <cmath>
 #include <map>
 #include <set>
@@ -24,7 +24,7 @@ const Communicator& alone() {
   return communicator;
 }
 
-/// Scenes that meet every way of making particles and bonds.
+/// Scenes that cover every way of making particles and bonds.
 std::map<std::string, deck::Deck> scenes() {
   std::map<std::string, deck::Deck> all;
   all["cube"] = cube(8);
@@ -116,7 +116,7 @@ TEST(HaloOnRanks, OwnersReachGhostsAndGhostsAddUp) {
       for (LocalIndex i = 0; i < body.local(); ++i)
         for (std::size_t c = 0; c < size; ++c) ASSERT_EQ(values[i * size + c], expected(i, c)) << name;
 
-      // Ones everywhere: an owner ends with one more than its copies, and all copies are cleared.
+      // All values are one: an owner ends with one more than it has copies, and all copies are cleared.
       std::fill(values.begin(), values.end(), 1);
       body.halo.add_to_owners(values.data(), components);
       double sum = 0;
@@ -160,7 +160,7 @@ TEST(PartitionOnRanks, IsTheSameEveryTime) {
   EXPECT_EQ(one.id, other.id);
 }
 
-/// More ranks than particles: some ranks own nothing, and everything still works.
+/// With more ranks than particles some ranks own nothing, and everything must still work.
 TEST(EmptyRanks, FewParticlesOnAnyNumberOfRanks) {
   for (const double length : {2.0, 3.0, 5.0}) {
     deck::Deck deck = deck_of(deck::Box{{0, 0, 0}, {length, 1, 1}});
@@ -190,7 +190,7 @@ TEST(EmptyRanks, ACloudReadByOneRankIsSpread) {
   EXPECT_DOUBLE_EQ(largest_spacing(deck, world()), 1);
 }
 
-/// Every refusal reaches every rank with the sentence of one rank: nobody waits for ever.
+/// Every refusal reaches every rank with the sentence of one rank, so that nobody waits for ever.
 TEST(RefusalsOnRanks, AreTheSameEverywhere) {
   deck::Deck overlapping = cube(6);
   add_body(overlapping, "copy", deck::Box{{2, 2, 2}, {4, 4, 4}});
@@ -240,7 +240,8 @@ TEST(FieldTableOnRanks, EveryRankReadsItsOwnRows) {
   }
 }
 
-/// What every particle carries of pressures and tractions, by rows behind faces, by particles around, over bodies.
+/// Compares what every particle carries of pressures and tractions, by rows behind faces, by particles around, over
+/// bodies.
 TEST(BodyOnRanks, SurfaceLoadsAreTheSame) {
   std::map<std::string, deck::Deck> all = scenes();
   all["bonded"] = deck_of(deck::Box{{0, 0, 0}, {10, 4.3, 4}});

@@ -3,7 +3,7 @@
 #include "perinox/core/communicator.hpp"
 #include "perinox/core/error.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 TEST(CommunicatorOnRanks, SumsScansAndGathers) {
@@ -30,4 +30,4 @@ TEST(CommunicatorOnRanks, OneRanksErrorIsEveryRanksError) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -1,4 +1,4 @@
-/// Pieces, free motions and the profile on several ranks against one rank alone.
+/// Compares pieces, free motions and the profile on several ranks with one rank alone.
 #include <cmath>
 #include <map>
 

@@ -1,10 +1,10 @@
-/// Motion in time on several ranks: what one rank gives.
+/// Motion in time on several ranks must give what one rank gives.
 #include <gtest/gtest.h>
 
 #include "support/motion.hpp"
 #include "support/thin_bodies.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 void compare(const deck::Deck& deck, const char* name) {
@@ -24,7 +24,7 @@ void compare(const deck::Deck& deck, const char* name) {
 }
 
 TEST(ExplicitRanks, BarsThatCollide) {
-  // One rank may have either bar: the particles that meet are no ghosts of each other.
+  // A rank may have one of the bars alone, so the particles that meet are not ghosts of each other.
   deck::Deck deck = deck::read(PERINOX_SOURCE_DIR "/inputs/impact_bars.yaml", materials::full_schema());
   deck.steps.end /= 2;
   deck.steps.count /= 2;
@@ -42,7 +42,7 @@ steps: {end: 6e-6, count: 3}
           "plastic bar");
 }
 
-/// Some rank has nothing that flows, and has to take the time step of the others.
+/// Some rank has nothing that flows and must take the time step of the others.
 TEST(ExplicitRanks, ElasticBarThatHitsAPlasticOne) {
   compare(deck_of(R"(
 dimension: plane-stress
@@ -85,4 +85,4 @@ TEST(ExplicitRanks, BodiesOneParticleThick) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

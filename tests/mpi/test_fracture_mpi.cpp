@@ -1,4 +1,4 @@
-/// Bonds that break on several ranks: the same ones as on one, in passes, in motion and from one to the other.
+/// On several ranks the same bonds must break as on one: in passes, in motion, and from one to the other.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -9,10 +9,10 @@
 #include "support/motion.hpp"
 #include "support/shuffled_body.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
-/// Bonds of all ranks, on every rank. A scene tells each bond on one rank only: a bond told twice would show.
+/// Bonds of all ranks, on every rank. A scene reports each bond on one rank only; a bond reported twice would show.
 std::vector<std::array<GlobalId, 2>> gathered(const mechanics::Scene& scene, const Communicator& ranks) {
   std::vector<double> flat;
   for (const auto& ids : scene.broken())
@@ -93,7 +93,7 @@ TEST(FractureRanks, ACrackOnALatticeManyBondsAPass) {
   compare(deck, "crack on a lattice, many bonds a pass", 20);
 }
 
-/// The lattice's particles moved at random, by a tenth of their spacing at most.
+/// The lattice's particles, moved at random by at most a tenth of their spacing.
 class JitteredPlate {
  public:
   JitteredPlate() : file_(directory_ / "cloud.csv") {
@@ -163,7 +163,7 @@ TEST(FractureRanks, APieceThatComesLoose) {
           "a piece of 36 particles, the first of them 36, has lost all support");
 }
 
-/// In explicit motion, every time step: a bar that hits a wall and spalls.
+/// In explicit motion bonds are checked in every time step. Here a bar hits a wall and spalls.
 TEST(FractureRanks, AMotionInWhichBondsBreak) {
   for (const char* law : {"critical_stretch: 0.004", "energy_release_rate: 2"}) {
     const deck::Deck deck = deck_of(fmt::format(R"(
@@ -195,4 +195,4 @@ steps: {{end: 1.2e-5, count: 4}}
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

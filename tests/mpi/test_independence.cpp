@@ -1,5 +1,5 @@
-/// The answer of a body depends on nothing that has nothing to do with it: not on the number of ranks, not on a body
-/// far away, not on whether a cloud's points happen to lie on a lattice.
+/// The answer of a body must depend on nothing unrelated: not on the number of ranks, not on a body far away, not on
+/// whether a cloud's points happen to lie on a lattice.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,7 +8,7 @@
 #include "support/measured.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 std::string bar(const std::string& far_body, const std::string& far_set, const std::string& far_load,
@@ -42,7 +42,8 @@ std::vector<double> reactions(const std::string& deck, MPI_Comm comm) {
   return run.records.steps.back().history;
 }
 
-/// The first deck of a report: 80.833, 82.500, 80.833, 82.500 on 1 to 4 ranks before, 82.500 without the far body.
+/// The first deck of a report, which once gave 80.833, 82.500, 80.833, 82.500 on 1 to 4 ranks, and 82.500 without the
+/// far body.
 TEST(Independence, OfRanksAndOfABodyFarAway) {
   const std::vector<double> alone = reactions(bar("", "", ""), MPI_COMM_SELF);
   EXPECT_NEAR(alone[0], 82.500, 5e-4);  // as reported
@@ -63,7 +64,7 @@ TEST(Independence, OfRanksAndOfABodyFarAway) {
   EXPECT_LE(std::abs(reactions(bar("", "", ""), MPI_COMM_WORLD)[0] / alone[0] - 1), 1e-10);
 }
 
-/// The same with every quadrature, where particles stand for parts of cells or not.
+/// Repeats this with every quadrature, where particles stand for parts of cells or not.
 TEST(Independence, OfABodyFarAwayWithEveryQuadrature) {
   for (const char* quadrature : {"whole", "partial-volume", "taper-inside", "position-aware", "surface-energy"}) {
     const std::string key = std::string("quadrature: ") + quadrature + "\n";
@@ -76,8 +77,8 @@ TEST(Independence, OfABodyFarAwayWithEveryQuadrature) {
   }
 }
 
-/// A bar as a cloud on a lattice: a point that moves by 1e-9 spacings changes the answer by as little, and in
-/// proportion (2 % before).
+/// A bar is a cloud on a lattice. A point that moves by 1e-9 spacings changes the answer by as little, and in
+/// proportion (it was once 2 %).
 TEST(Independence, OfWhetherACloudLiesOnALattice) {
   const auto pull = [](double moved) {
     std::string rows = "x,y,z,volume\n";
@@ -101,4 +102,4 @@ TEST(Independence, OfWhetherACloudLiesOnALattice) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -1,9 +1,9 @@
-/// Overlaps of faces on several ranks: as deep and at the same place as on one.
+/// Overlaps of faces on several ranks must be as deep and at the same place as on one.
 #include <gtest/gtest.h>
 
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 void compare(const std::string& yaml, double least, const char* name) {
@@ -36,7 +36,7 @@ steps: {end: 1, count: 3}
           0.5, "pressed crack");
 }
 
-/// No particle of one body is a ghost of a rank that has the other alone.
+/// No particle of one body is a ghost on a rank that has only the other one.
 TEST(InterpenetrationRanks, ABodyDrivenIntoAnotherFromAfar) {
   compare(R"(
 dimension: 3
@@ -56,4 +56,4 @@ steps: {end: 1, count: 6}
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

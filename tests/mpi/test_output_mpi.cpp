@@ -1,4 +1,4 @@
-/// The same results file from every number of ranks, one of which owns nothing.
+/// Every number of ranks must write the same results file, even if one of them owns nothing.
 #include <gtest/gtest.h>
 
 #include "output/agree.hpp"

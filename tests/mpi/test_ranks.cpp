@@ -1,9 +1,9 @@
-/// 2, 3 and 4 ranks give what one rank gives: displacements, iteration counts; and their energies close.
+/// 2, 3 and 4 ranks must give the displacements and iteration counts of one rank, and their energies must balance.
 #include <gtest/gtest.h>
 
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 const char* plane_stress_plate = R"(
@@ -22,8 +22,8 @@ boundary:
 steps: {end: 1, count: 2}
 )";
 
-/// linear_apart: largest difference of the linear iterations of a step; energy_apart: of the stored energy, relative;
-/// t_apart: of t, over its end.
+/// Compares a deck on all ranks with one rank. linear_apart: largest difference of the linear iterations of a step.
+/// energy_apart: relative difference of the stored energy. t_apart: difference of t over its end.
 void compare(const deck::Deck& deck, const char* name, int linear_apart = 1, double energy_apart = 1e-9,
              double t_apart = 0) {
   const RunResult alone = run_deck(deck, MPI_COMM_SELF);
@@ -49,7 +49,7 @@ void compare(const deck::Deck& deck, const char* name, int linear_apart = 1, dou
         "%s on %d ranks: displacement %.1e, force %.1e, iterations differ by at most %d Newton, %d linear; energy "
         "not accounted for %.1e\n",
         name, world.size(), difference, force, newton, linear, gap);
-  // Measured on 2, 3, 4 ranks: printed by the line above.
+  // The values measured on 2, 3, 4 ranks are printed by the line above.
   EXPECT_LE(difference, 1e-10);
   EXPECT_LE(newton, 1);
   EXPECT_LE(linear, linear_apart);
@@ -85,8 +85,8 @@ TEST(Ranks, RingUnderPressure) {
   compare(deck, "ring under pressure");
 }
 
-// Along the arc t is found with the displacements, and near a singular tangent rounding moves the counts of single
-// solves and energies more. Measured on 2, 3 and 4 ranks: displacements 3.0e-11, t 6.5e-9, energies 1.3e-9, no Newton
+// Along the arc t is found with the displacements. Near a singular tangent rounding moves the counts of single solves
+// and the energies more. Measured on 2, 3 and 4 ranks: displacements 3.0e-11, t 6.5e-9, energies 1.3e-9, no Newton
 // iteration and 15 linear ones.
 TEST(Ranks, ArchAlongTheArc) {
   compare(deck::read(PERINOX_SOURCE_DIR "/inputs/shallow_arch.yaml", materials::full_schema()),
@@ -116,4 +116,4 @@ steps: {end: 1, count: 3}
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

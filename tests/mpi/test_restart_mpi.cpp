@@ -1,4 +1,4 @@
-/// Checkpoints written on some ranks and read on others.
+/// Tests checkpoints that are written on some ranks and read on others.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -8,7 +8,7 @@
 #include "support/breaking_decks.hpp"
 #include "support/restarts.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 const char* bar = R"(
@@ -28,7 +28,7 @@ history:
   - {name: plastic, yielded: all}
 )";
 
-/// The first `count` ranks of the world; null elsewhere.
+/// The first `count` ranks of the world; null on the others.
 class Some {
  public:
   explicit Some(int count) {
@@ -48,7 +48,7 @@ class Some {
   MPI_Comm comm_ = MPI_COMM_NULL;
 };
 
-/// From every checkpoint of a run, those within steps included, on as many ranks.
+/// Goes on from every checkpoint of a run, those within steps included, on as many ranks.
 void go_on_to_the_last_bit(const deck::Deck& deck) {
   const CheckpointFolder folder{Communicator(MPI_COMM_WORLD)};
   const RunResult whole = run_with_checkpoints(deck, MPI_COMM_WORLD, "", &folder);
@@ -82,7 +82,7 @@ TEST(RestartOnRanks, TheSameRanksGoOnToTheLastBitWhereBondsBreakAndInTime) {
 }
 
 /// The largest difference between runs on all pairs of rank counts, each restarted twice on the way, and the largest
-/// between uninterrupted ones. On rank 0; zeros elsewhere.
+/// between uninterrupted ones. On rank 0; zeros on the others.
 std::pair<double, double> differences(const deck::Deck& deck) {
   const Communicator world(MPI_COMM_WORLD);
   double restarted = 0, uninterrupted = 0;
@@ -118,15 +118,15 @@ TEST(RestartOnRanks, OtherRanksGoOnToRounding) {
     if (Communicator(MPI_COMM_WORLD).is_root())
       std::printf("Newton to %.0e: histories differ by %.1e after a restart on other ranks, by %.1e without one\n",
                   tolerance, restarted, uninterrupted);
-    // Measured on 2 and 3 ranks: 2.1e-11 after a restart and 8.2e-10 without one to 1e-8, where the last digits are the
-    // linear solves'; 1.0e-11 and 2.8e-11 at Newton's default, 1e-9; 4e-13 with the tighter one.
+    // Measured on 2 and 3 ranks: 2.1e-11 after a restart and 8.2e-10 without one at 1e-8, where the last digits are
+    // those of the linear solves; 1.0e-11 and 2.8e-11 at Newton's default, 1e-9; 4e-13 with the tighter one.
     EXPECT_LE(std::max(restarted, uninterrupted), tolerance > 5e-9 ? 2e-9 : 1e-10);
   }
 }
 
 TEST(RestartOnRanks, OtherRanksGoOnToRoundingWhereBondsBreakAndInTime) {
   if (Communicator(MPI_COMM_WORLD).size() != 3) GTEST_SKIP() << "three ranks try 1, 2 and 3";
-  // A plate that is held at both ends: where a body lies in two pieces, reactions are rounding and nothing else.
+  // The plate is held at both ends: where a body lies in two pieces, reactions are nothing but rounding.
   for (const auto& [name, text] : {std::pair{"torn plate", torn_plate}, {"smashed blocks", smashed_blocks}}) {
     const auto [restarted, uninterrupted] = differences(deck_of(text));
     if (Communicator(MPI_COMM_WORLD).is_root())
@@ -180,4 +180,4 @@ TEST(RestartOnRanks, ListsOfAnyLengthComeBackInPortionsOfAnySize) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

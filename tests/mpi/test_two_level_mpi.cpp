@@ -1,9 +1,9 @@
-/// The two-level preconditioner does not depend on the partition: iterations of one rank and of several.
+/// The two-level preconditioner must not depend on the partition: compares its iterations on one rank and on several.
 #include <gtest/gtest.h>
 
 #include "support/linear_problem.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 void compare(const char* name, const std::string& yaml, const linear::TwoLevel::Settings& settings = {}) {
@@ -26,14 +26,14 @@ TEST(TwoLevelRanks, VCycle) {
 }
 
 TEST(TwoLevelRanks, NestedGridsPartAtCracks) {
-  // Three grids, of which the smallest is factorised; the crack runs across the ranks.
+  // There are three grids, of which the smallest is factorised. The crack runs across the ranks.
   linear::TwoLevel::Settings settings;
   settings.factorised_up_to = 100;
   compare("crack, nested grids", held_cube(16, 0.33, half_crack(16)), settings);
 }
 
 TEST(TwoLevelRanks, Crack) {
-  // The number of copies of the nodes on the crack is the same too: pieces are found across ranks.
+  // The number of copies of the nodes on the crack is the same too, because pieces are found across ranks.
   compare("crack", held_cube(12, 0.33, half_crack(12)));
 }
 
@@ -46,4 +46,4 @@ TEST(TwoLevelRanks, BodiesNotBonded) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -1,4 +1,4 @@
-/// The checkpoint file: what is written comes back, and nothing that is not whole passes.
+/// Tests the checkpoint file: what is written comes back, and no file that is damaged or incomplete passes.
 #include <cstring>
 #include <random>
 
@@ -21,7 +21,7 @@ std::string bytes_of(const std::string& path) {
 
 struct Written {
   Communicator alone{MPI_COMM_SELF};
-  testing::CheckpointFolder folder{alone};
+  test::CheckpointFolder folder{alone};
   body::Body body = build_body(cube(4), alone);
   std::string path = folder.of_step(3);
   std::vector<double> values;
@@ -151,7 +151,7 @@ TEST(Checkpoint, ManyNumbersInThePlaceOfOneAreRefused) {
     ParallelFile file(written.path, written.alone, ParallelFile::Mode::append);
     file.set_attribute("/a", "texts", std::vector<std::string>{"a", "b", "c"});
   }
-  // Reading them would have filled the stack behind the one place there is.
+  // Reading several texts would once have written past the one place for a text and filled the stack behind it.
   const CheckpointReader reader(written.path, written.body);
   EXPECT_THAT(refusal([&] { reader.text("a/texts"); }), HasSubstr("has no text texts at /a"));
 }

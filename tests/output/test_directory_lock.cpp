@@ -1,4 +1,4 @@
-/// A directory that one run has to itself.
+/// Tests that one run has a directory to itself.
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// The sentence that refuses a lock; "" if it is to be had.
+/// The sentence that refuses a lock; "" if the lock can be had.
 std::string refusal_of(const std::string& directory) {
   try {
     const DirectoryLock lock(directory, "second.yaml");

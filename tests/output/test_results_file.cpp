@@ -83,7 +83,7 @@ TEST_F(ResultsFileTest, IsReadableAfterEveryStepWhileTheRunGoesOn) {
   }
 }
 
-/// Nine columns in the order that every reader names them in: xx xy xz, yx yy yz, zx zy zz.
+/// Tensors have nine columns in the order in which every reader names them: xx xy xz, yx yy yz, zx zy zz.
 TEST_P(ResultsFileTest, TensorsHaveNineColumns) {
   const int dimension = GetParam();
   const body::Body body = test::shuffled_body(one_rank_, total, dimension);
@@ -105,7 +105,7 @@ TEST_P(ResultsFileTest, TensorsHaveNineColumns) {
   EXPECT_EQ(xml.find("Tensor6"), std::string::npos);
 }
 
-/// A component is a field of its own for readers, though its numbers are there once.
+/// For readers a component is a field of its own, though its numbers are stored once.
 TEST_P(ResultsFileTest, ComponentsOfTensorsHaveNames) {
   const int dimension = GetParam();
   const body::Body body = test::shuffled_body(one_rank_, total, dimension);
@@ -178,7 +178,7 @@ TEST_F(ResultsFileTest, IndexIsWellFormedAndNamesOnlyDatasetsThatExist) {
     results.write(test::step_record(step, 0.5 * step), {{"displacement", 3, displacement.data()}});
 
   const std::string xml = test::file_text(directory_ / "results.xdmf");
-  // Well-formed: every tag that opens closes, in order.
+  // The index is well-formed if every tag that opens closes, in order.
   std::vector<std::string> open;
   const std::regex tag("<(/?)([A-Za-z?]+)((?:\\s+[A-Za-z]+=\"[^\"<>]*\")*)\\s*([/?]?)>");
   for (std::sregex_iterator match(xml.begin(), xml.end(), tag), end; match != end; ++match) {

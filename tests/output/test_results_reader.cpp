@@ -1,4 +1,4 @@
-/// results.h5 and the tables of a run, read back in one process.
+/// Reads back results.h5 and the tables of a run in one process.
 #include <gmock/gmock.h>
 
 #include "output/results_file.hpp"

@@ -29,7 +29,7 @@ struct File {
   std::vector<std::uint64_t> all;
 };
 
-/// Small ones go through the cache, from 4 MB on past it; begins and ends lie anywhere in a page.
+/// Small stretches go through the cache, those from 4 MB on bypass it. Their begins and ends lie anywhere in a page.
 TEST(Stretch, WritesItsBytesAndNoOthers) {
   const MPI_Comm self = MPI_COMM_SELF;
   for (const std::size_t count : {std::size_t{1}, std::size_t{100}, std::size_t{511}, std::size_t{131072 + 7},
@@ -49,7 +49,7 @@ TEST(Stretch, WritesItsBytesAndNoOthers) {
       ASSERT_EQ(found.size(), 8 * file.all.size());
       EXPECT_EQ(std::memcmp(found.data(), file.all.data(), found.size()), 0) << count << " from " << first;
       EXPECT_EQ(stretch.checksum(), checksum(values.data(), 8 * count, first));
-      // What the stretch knows stands for its bytes.
+      // The checksum that the stretch knows stands for its bytes.
       const std::uint64_t end = 8 * file.all.size();
       EXPECT_EQ(
           file_checksum(file.path, 0, end, Communicator(self), {{8 * first, 8 * (first + count), stretch.checksum()}}),

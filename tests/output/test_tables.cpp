@@ -33,7 +33,7 @@ TEST(HistoryTable, HoldsNamedColumnsAndReadsBackToTheSameNumbers) {
   EXPECT_EQ(table.failure(), "");
 }
 
-/// The names that a deck's history entries cannot have are those of the table's own columns, all of them.
+/// The names that a deck's history entries cannot have must be those of the table's own columns, all of them.
 TEST(HistoryTable, ItsColumnsAreTheNamesThatAreTaken) {
   std::string all;
   for (const std::string& name : deck::history_columns) all += (all.empty() ? "" : ",") + name;

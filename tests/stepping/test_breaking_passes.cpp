@@ -11,7 +11,7 @@
 #include "support/fracture.hpp"
 #include "support/measured.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using test::measured;
@@ -167,8 +167,8 @@ TEST(Passes, APieceThatComesLooseIsTakenOutWhereItIs) {
   // The stored energy is that of what is held; what the pieces stored as they came loose is among the relaxed.
   mechanics::Trial trial;
   std::vector<double> force(run.scene.owned_unknowns());
-  mechanics::internal_force(run.scene, run.stepper.committed(), run.stepper.committed().displacement().data(), trial,
-                            force.data());
+  mechanics::Evaluation evaluation(run.scene);
+  mechanics::internal_force(evaluation, run.stepper.committed(), run.stepper.committed().at(), trial, force.data());
   const double in_loose = loads::loose_energy(run.scene, run.stepper.boundary().loose(), trial.stored_energy);
   EXPECT_GT(measured("chain torn apart: energy in loose pieces over that of all", in_loose / trial.stored), 0.01);
   EXPECT_NEAR(run.stepper.energies().stored, trial.stored - in_loose, 1e-9 * trial.stored);
@@ -234,4 +234,4 @@ output: {fields: [displacement]}
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

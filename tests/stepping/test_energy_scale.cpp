@@ -7,7 +7,7 @@
 #include "support/measured.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 /// A bar with the given boundary, its lengths in `length`.
@@ -92,4 +92,4 @@ TEST(EnergyScale, AMotionThatEndsAtRest) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

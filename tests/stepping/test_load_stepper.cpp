@@ -7,7 +7,7 @@
 #include "support/measured.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -271,4 +271,4 @@ TEST(LoadStepper, NothingHeldIsRefused) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -4,7 +4,7 @@
 
 #include "support/restarts.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 /// Restarts after every step but the last, and compares rows, iteration counts, displacements and forces bit by bit.
@@ -149,4 +149,4 @@ TEST(Restart, GoesOnWithASmallerStepAndAnEndFurtherOff) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -4,7 +4,7 @@
 #include "support/breaking_decks.hpp"
 #include "support/restarts.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 /// Goes on from every checkpoint that a run leaves, between steps and within them, and compares rows, displacements
@@ -114,4 +114,4 @@ TEST(RestartInMotion, RowsMayBeOthersAfterARestartWithinOne) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -7,7 +7,7 @@
 #include "support/fracture.hpp"
 #include "support/measured.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 /// Up, down to exactly nothing at t = 2, nothing until t = 3, and a quarter the other way and back.
@@ -175,4 +175,4 @@ TEST(Unloading, NearlyNothing) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

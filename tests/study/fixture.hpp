@@ -1,5 +1,5 @@
 #pragma once
-/// A study on a deck of its own folder, and the sentence of a refusal.
+/// A study on a deck in a folder of its own, and the sentence of a refusal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -56,7 +56,7 @@ inline const std::string flat_deck =
     "boundary: [{set: left, displacement: {x: 0, y: 0}}]\n"
     "history: [{name: pull, reaction: left, component: x}]\n";
 
-/// `text` with the first `from` replaced; the test fails if there is none.
+/// `text` with the first `from` replaced. The test fails if there is none.
 inline std::string changed(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << "the text has no " << from;
@@ -64,7 +64,7 @@ inline std::string changed(std::string text, const std::string& from, const std:
   return text;
 }
 
-/// The message of the InputError that `work` ends with; "" if there is none.
+/// The message of the InputError with which `work` ends; "" if there is none.
 template <class Work>
 std::string refusal(const Work& work) {
   try {

@@ -1,4 +1,4 @@
-/// Slopes, Pareto fronts, orders, ticks, and values between scattered points.
+/// Tests slopes, Pareto fronts, orders, ticks, and values between scattered points.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -26,7 +26,7 @@ TEST(Slope, IsThePowerOfAPowerLaw) {
 }
 
 TEST(Slope, IsThatOfLeastSquares) {
-  // Logarithms 0, 1, 2 and 0, 1, 4: slope (2*4)/2 / 2 = 2.
+  // The logarithms are 0, 1, 2 and 0, 1, 4, so the slope is (2*4)/2 / 2 = 2.
   EXPECT_NEAR(log_slope({{1, 1}, {std::exp(1.0), std::exp(1.0)}, {std::exp(2.0), std::exp(4.0)}}).value(), 2, 1e-13);
 }
 

@@ -1,4 +1,4 @@
-/// The runs of a study, and formulas and settings that name its sweeps.
+/// Tests the runs of a study, and formulas and settings that name its sweeps.
 #include "study/fixture.hpp"
 #include "study/planned_run.hpp"
 

@@ -1,4 +1,4 @@
-/// Charts as files, and which plots a table of runs gives.
+/// Tests charts as files, and which plots a table of runs gives.
 #include <cmath>
 
 #include "study/fixture.hpp"
@@ -16,7 +16,7 @@ std::string text_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Errors of order `order` at three spacings, costs that grow.
+/// Adds errors of order `order` at three spacings, and costs that grow.
 void add_rows(std::vector<Row>& rows, std::size_t point, const std::string& label, double order, double scale) {
   std::size_t k = 0;
   for (const double h : {1.0, 0.5, 0.25}) {
@@ -59,7 +59,8 @@ TEST(Plots, AreErrorAgainstTheFirstNumericSweepAndAgainstWork) {
               ElementsAre("whole: slope 1.00 over 3 points", "position-aware: slope 2.00 over 3 points"));
   EXPECT_EQ(plots[0].chart.curves[1].name, "position-aware, slope 2.00");
   EXPECT_EQ(plots[1].file, "E_error_against_cpu_seconds");
-  // whole at CPU 1, 2, 4 with 0.4, 0.2, 0.1; position-aware at 2, 3, 5 with 0.1, 0.025, 0.00625.
+  // The series `whole` has errors 0.4, 0.2, 0.1 at CPU seconds 1, 2, 4, and `position-aware` has 0.1, 0.025, 0.00625 at
+  // 2, 3, 5.
   EXPECT_THAT(plots[1].findings,
               ElementsAre("On the Pareto front, cheapest first:", "whole, 1: 0.4 at 1 cpu_seconds",
                           "position-aware, 1: 0.1 at 2 cpu_seconds", "position-aware, 0.5: 0.025 at 3 cpu_seconds",

@@ -1,4 +1,4 @@
-/// Child processes, what is kept of them, and when a kept run counts.
+/// Tests child processes, what is kept of them, and when a kept run counts.
 #include <cstdlib>
 
 #include "perinox/deck/read.hpp"

@@ -1,4 +1,4 @@
-/// What a study file says, and studies with one mistake each: the place and the sentence.
+/// Tests what a study file says, and the place and sentence of the error in studies with one mistake each.
 #include "study/fixture.hpp"
 
 namespace perinox::study {
@@ -12,7 +12,7 @@ class StudyFile : public ::testing::Test {
  protected:
   StudyFile() { folder_.write("flat.yaml", fixture::flat_deck); }
   Study study_of(const std::string& yaml) const { return read_text(yaml, folder_ / "study.yaml"); }
-  /// Behind the file's name.
+  /// The message behind the file's name.
   std::string message_of(const std::string& yaml) const {
     const std::string message = fixture::refusal([&] { study_of(yaml); });
     const std::string file = folder_ / "study.yaml";

@@ -1,5 +1,5 @@
 #pragma once
-/// Decks made in C++ for tests of the body and bonds rooms, files for them, and the sentence of a refusal.
+/// Decks made in C++ for tests of the rooms body and bonds, files for them, and the sentence of a refusal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -25,7 +25,7 @@ inline void add_body(deck::Deck& deck, const std::string& name, decltype(deck::S
   deck.body.push_back({{"deck.yaml", 4, 5}, name, shape_of(std::move(form)), spacing, "rubber"});
 }
 
-/// No bodies yet; horizon 3.015 times the spacing.
+/// A deck without bodies. The horizon is 3.015 times the spacing.
 inline deck::Deck empty_deck(deck::Dimension dimension = deck::Dimension::three) {
   deck::Deck deck;
   deck.file = "deck.yaml";
@@ -35,7 +35,7 @@ inline deck::Deck empty_deck(deck::Dimension dimension = deck::Dimension::three)
   return deck;
 }
 
-/// One body of a shape at spacing 1 (or another).
+/// A deck with one body of a shape, at spacing 1 unless another is given.
 inline deck::Deck deck_of(decltype(deck::Shape::form) form, deck::Dimension dimension = deck::Dimension::three,
                           double spacing = 1) {
   deck::Deck deck = empty_deck(dimension);
@@ -57,7 +57,7 @@ inline void add_crack(deck::Deck& deck, decltype(deck::Crack::form) form) {
   deck.cracks.push_back({{"deck.yaml", 30, 5}, std::move(form)});
 }
 
-/// The body with the reach its bonds need.
+/// The body with the reach that its bonds need.
 inline Body build_body(const deck::Deck& deck, const Communicator& communicator = Communicator(),
                        PartitionReport* report = nullptr) {
   const double horizon = horizon_length(deck, communicator);
@@ -85,7 +85,7 @@ std::string refusal(Work&& work) {
   return "nothing was refused";
 }
 
-/// A file written by the root of the world, named alike on every rank, removed at the end.
+/// A file that the root of the world writes. It has the same name on every rank and is removed at the end.
 class TextFile {
  public:
   TextFile(const std::string& name, const std::string& text) {

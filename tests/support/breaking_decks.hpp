@@ -1,8 +1,8 @@
 #pragma once
-/// Small decks whose bonds break or that move in time, each of a few seconds at most.
+/// Small decks whose bonds break or that move in time. Each takes a few seconds at most.
 #include <string>
 
-namespace perinox::testing {
+namespace perinox::test {
 
 /// A notched bar, held on the left and pulled on the right by a force of 60 t, that snaps at t < 0.2.
 inline std::string snapping_bar_of(const std::string& horizon_ratio, const std::string& steps,
@@ -30,10 +30,10 @@ history:
 )";
 }
 
-/// It snaps in step 1: 270 time steps at t = 0.2 until the pieces are at rest.
+/// The bar snaps in step 1. It takes 270 time steps at t = 0.2 until the pieces are at rest.
 inline const std::string snapping_bar = snapping_bar_of("3.015", "{end: 1, count: 5}");
 
-/// Three strong parts and two weak ones, torn apart in step 1: both weak parts break alike and the middle comes loose.
+/// Three strong parts and two weak ones, torn apart in step 1. Both weak parts break alike and the middle comes loose.
 inline const std::string torn_chain = R"(
 dimension: plane-stress
 body:
@@ -57,7 +57,7 @@ history:
   - {name: middle, displacement: middle, component: x}
 )";
 
-/// An edge crack that grows in converged passes through steps 3 to 5, and single particles that come loose.
+/// An edge crack grows in converged passes through steps 3 to 5, and single particles come loose.
 inline const std::string torn_plate = R"(
 dimension: plane-stress
 body: [{name: plate, shape: {box: {min: [0, 0], max: [20, 20]}}, spacing: 1, material: brittle}]
@@ -74,7 +74,7 @@ steps: {end: 0.06, count: 6}
 history: [{name: pull, reaction: top, component: y}]
 )";
 
-/// Blocks of a ductile metal that collide: contact, flow, damping and bonds that break in 160 time steps of five rows.
+/// Blocks of a ductile metal collide: contact, flow, damping and bonds that break in 160 time steps of five rows.
 inline const std::string smashed_blocks = R"(
 dimension: 3
 body:
@@ -95,7 +95,7 @@ history:
   - {name: right, displacement: right, component: x}
 )";
 
-/// An elastic and a plastic half, pulled and pushed back.
+/// A bar with an elastic and a plastic half, pulled and pushed back.
 inline const std::string half_plastic_bar = R"yaml(
 dimension: 3
 body:
@@ -115,4 +115,4 @@ history:
   - {name: flowed, yielded: all}
 )yaml";
 
-}  // namespace perinox::testing
+}  // namespace perinox::test

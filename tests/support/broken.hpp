@@ -27,7 +27,7 @@ inline std::vector<mechanics::BondEnds> all_bonds(const mechanics::Scene& scene)
   return ends;
 }
 
-/// A random share of them, the same for one body in any layout. One rank.
+/// A random share of all bonds, the same for one body in any layout. For one rank.
 inline std::vector<mechanics::BondEnds> some_bonds(const mechanics::Scene& scene, double share, unsigned seed) {
   std::vector<mechanics::BondEnds> ends = all_bonds(scene);
   std::mt19937 generator(seed);

@@ -1,5 +1,5 @@
 #pragma once
-/// Families made by hand, for the point formulas: random bonds, weights of unequal neighbours, every influence
+/// Families made by hand for tests of the point formulas: random bonds, weights of unequal neighbours, every influence
 /// function.
 #include <cmath>
 #include <memory>
@@ -44,13 +44,13 @@ struct RandomFamily {
     return family;
   }
 
-  /// sum a b omega weight.
+  /// The sum of a b omega weight.
   double influence_dot(const Vector& a, const Vector& b) const {
     double sum = 0;
     for (std::size_t j = 0; j < length.size(); ++j) sum += influence[j] * a[j] * b[j] * weight[j];
     return sum;
   }
-  /// sum a b weight, the a . b of the formulas.
+  /// The sum of a b weight, which is the a . b of the formulas.
   double dot(const Vector& a, const Vector& b) const {
     double sum = 0;
     for (std::size_t j = 0; j < length.size(); ++j) sum += a[j] * b[j] * weight[j];
@@ -61,8 +61,8 @@ struct RandomFamily {
   }
 };
 
-/// Bonds of length 0.3 to 1 horizon; the last one is exactly as long as the horizon, where the polynomial influence is
-/// zero. Weights vary by a factor of 3. The continuum weighted volume differs from the family's own.
+/// Bonds have lengths of 0.3 to 1 horizon. The last one is exactly as long as the horizon, where the polynomial
+/// influence is zero. Weights vary by a factor of 3. The continuum weighted volume differs from the family's own.
 inline RandomFamily random_family(int dimension, deck::Influence influence, int count, unsigned seed) {
   const double horizon = 2.5;  // any length but 1, so that a missing power of it shows
   std::mt19937 generator(seed);
@@ -100,7 +100,7 @@ inline Vector random_values(std::size_t count, unsigned seed) {
 }
 
 /// A random extension state scaled to the effective shear `shear`, gamma^2 = d(d+2)/m sum omega e_d^2 weight
-/// (formulation 2), on top of the dilatation `dilatation`.
+/// (docs/theory.md, section 3), on top of the dilatation `dilatation`.
 inline Vector random_extension(const RandomFamily& family, double shear, double dilatation, unsigned seed) {
   const double d = family.dimension;
   Vector extension = random_values(family.length.size(), seed);
@@ -112,7 +112,7 @@ inline Vector random_extension(const RandomFamily& family, double shear, double 
   return extension;
 }
 
-/// What one evaluation leaves behind.
+/// The results of one evaluation.
 struct Evaluation {
   materials::PointResponse response;
   Vector force_state, point_history, bond_history;
@@ -131,7 +131,7 @@ class MaterialPoint {
 
   Evaluation evaluate(const Vector& extension) const {
     Evaluation result;
-    // Not-a-number where the material must write.
+    // These start as not-a-number, because the material must write all of them.
     result.force_state.assign(family_.length.size(), std::nan(""));
     result.point_history.assign(point_.size(), std::nan(""));
     result.bond_history.assign(bond_.size(), std::nan(""));
@@ -150,7 +150,7 @@ class MaterialPoint {
     material_.modulus(family_.view(), extension.data(), {point_.data(), bond_.data()}, form, state);
     return state;
   }
-  /// dt of the modulus state for a change de.
+  /// The change dt that the modulus state gives for a change de.
   Vector apply(const materials::ModulusState& state, const Vector& change) const {
     const std::size_t count = change.size();
     Vector result(count);

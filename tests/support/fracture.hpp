@@ -9,11 +9,11 @@
 
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 
 using BrokenSet = std::set<std::array<GlobalId, 2>>;
 
-/// Keeps the passes and the sentences too.
+/// Records the passes and the sentences too.
 class FractureRecorder : public Recorder {
  public:
   void bonds_broken(const BreakingPass& row) override { passes.push_back(row); }
@@ -39,9 +39,9 @@ struct FractureRun {
       stopped = error.what();
     }
   }
-  /// Bonds broken on this rank.
+  /// The bonds broken on this rank.
   BrokenSet broken() const { return {scene.broken().begin(), scene.broken().end()}; }
-  /// What the energies leave unaccounted for, of the external work.
+  /// Energy that the balance leaves unaccounted for, over the external work.
   double energy_gap() const {
     const stepping::Energies& e = stepper.energies();
     const double sum = e.stored + e.dissipated + e.released + e.relaxed + e.damped;
@@ -59,7 +59,7 @@ inline deck::Deck input_deck(const std::string& name, const std::vector<std::str
   return deck::read(PERINOX_SOURCE_DIR "/inputs/" + name + ".yaml", materials::full_schema(), overrides);
 }
 
-/// Square of 12 x 12 particles of spacing 1, held at the bottom. damage: a law.
+/// A square of 12 x 12 particles of spacing 1, held at the bottom. damage: a law.
 inline std::string square_plate(const std::string& damage, const std::string& rest = "") {
   return fmt::format(R"(
 dimension: plane-stress
@@ -73,11 +73,11 @@ boundary: [{{set: bottom, displacement: {{x: 0, y: 0}}}}]
                      damage, rest);
 }
 
-/// A scene of one rank that is moved as a test wants, load steps or not.
+/// A scene of one rank that a test moves as it wants, without load steps.
 struct Plate {
   explicit Plate(const std::string& yaml)
       : deck(deck_of(yaml)), scene(mechanics::build_scene(deck, Communicator(MPI_COMM_SELF))), committed(scene) {}
-  /// u(x, y) at every particle.
+  /// Moves every particle by u(x, y).
   template <class Field>
   void move(const Field& field) {
     std::vector<double> u(scene.owned_unknowns()), force(scene.owned_unknowns());
@@ -87,14 +87,16 @@ struct Plate {
       u[2 * i + 1] = value[1];
     }
     mechanics::Trial trial;
-    mechanics::internal_force(scene, committed, u.data(), trial, force.data());
+    mechanics::Evaluation evaluation(scene);
+    mechanics::internal_force(evaluation, committed, u.data(), trial, force.data());
     stored = trial.stored;
-    committed.advance(scene, std::move(trial));
+    committed.advance(evaluation, std::move(trial));
   }
   double stored_now() {
     mechanics::Trial trial;
     std::vector<double> force(scene.owned_unknowns());
-    mechanics::internal_force(scene, committed, committed.displacement().data(), trial, force.data());
+    mechanics::Evaluation evaluation(scene);
+    mechanics::internal_force(evaluation, committed, committed.at(), trial, force.data());
     return trial.stored;
   }
   double stretch(const std::array<GlobalId, 2>& ids) const {
@@ -113,4 +115,4 @@ struct Plate {
   double stored = 0;
 };
 
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -1,6 +1,6 @@
 #pragma once
-/// A family of a square or cubic lattice, every bond's direction in sight, whose fourth moment is made isotropic by its
-/// influence: under uniform strain the plain formulas are those of the local solid.
+/// A family of a square or cubic lattice with the direction of every bond. Its influence makes its fourth moment
+/// isotropic, so that under uniform strain the plain formulas are those of the local solid.
 #include "support/families.hpp"
 #include "support/local_plasticity.hpp"
 
@@ -40,7 +40,7 @@ struct IsotropicFamily {
     for (std::size_t j = 0; j < direction.size(); ++j) e.push_back(family.length[j] * along(strain, direction[j]));
     return e;
   }
-  /// Collapsed stress: sum t xi n n weight.
+  /// The collapsed stress: sum t xi n n weight.
   Tensor stress(const Vector& force_state) const {
     Tensor sum{};
     for (std::size_t j = 0; j < direction.size(); ++j) {

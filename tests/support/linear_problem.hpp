@@ -11,9 +11,9 @@
 #include "perinox/mechanics/assembled_tangent.hpp"
 #include "support/decks.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 
-/// Undeformed tangent of a deck, with the load of t = 1 on its right side.
+/// The undeformed tangent of a deck, with the load of t = 1 on its right side.
 struct LinearProblem {
   using Vector = std::vector<double>;
 
@@ -48,7 +48,7 @@ struct LinearProblem {
     return made;
   }
 
-  /// Iterations until the residual is 1e-8 of the right side.
+  /// Number of iterations until the residual is 1e-8 of the right side.
   int iterations(const linear::OwnedOperator& preconditioner) const {
     Vector r = right, z(unknowns), p(unknowns, 0.0), q(unknowns);
     const double goal = 1e-8 * std::sqrt(dot(right, right));
@@ -77,8 +77,8 @@ struct LinearProblem {
   Vector blocks, right;
 };
 
-/// Elastic block of n^3 particles, spacing 1, three layers held at each end in z, the upper ones pulled.
-/// `bodies` and `more`: lines of the deck in place of the plain cube, and besides it.
+/// An elastic block of n^3 particles of spacing 1. Three layers are held at each end in z, and the upper ones are
+/// pulled. `bodies` replaces the lines of the plain cube in the deck; `more` is added to the deck.
 inline std::string held_cube(int n, double poisson = 0.33, const std::string& more = "", std::string bodies = "") {
   if (bodies.empty())
     bodies = fmt::format(
@@ -100,10 +100,10 @@ steps: {{end: 1, count: 1}}
                      bodies, poisson, poisson, n - 3, more);
 }
 
-/// A crack at half height through half the section.
+/// The deck's lines of a crack at half height through half the section.
 inline std::string half_crack(int n) {
   return fmt::format("cracks: [{{rectangle: {{corner: [-1, -1, {}], edge1: [{}, 0, 0], edge2: [0, {}, 0]}}}}]\n",
                      n / 2.0 + 0.01, n / 2.0 + 1, n + 2.0);
 }
 
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -14,13 +14,13 @@ enum class Flow { none, all, some };
 
 struct LoadState {
   struct Stop {
-    double strain;        ///< of the fixed strain tensor below, in yield strains
-    double degrees = 0;   ///< rotation on top of it
-    bool graded = false;  ///< strain grows with x from zero
+    double strain;        ///< factor on the fixed strain tensor below, in yield strains
+    double degrees = 0;   ///< rotation that is added
+    bool graded = false;  ///< the strain grows with x from zero
   };
   std::string name;
-  std::vector<Stop> stops;  ///< the last is the state under test, those before it are committed
-  Flow flow;                ///< of an elastic-plastic scene
+  std::vector<Stop> stops;  ///< the last is the state under test; those before it are committed
+  Flow flow;                ///< which points of an elastic-plastic scene flow
   bool needs_plasticity;
 
   friend void PrintTo(const LoadState& state, std::ostream* stream) { *stream << state.name; }
@@ -39,10 +39,11 @@ inline std::vector<LoadState> load_states() {
   };
 }
 
-/// Displacement of one stop: a strain with every component, a random part so that no two points are alike, a rotation.
+/// Displacement of one stop: a strain with every component, a random part so that no two points are alike, and a
+/// rotation.
 inline Vector field_of(const mechanics::Scene& scene, const LoadState::Stop& stop) {
   const int d = scene.dimension();
-  // Effective shear of this tensor: sqrt(2 e_d:e_d) = 2.4.
+  // The effective shear of this tensor is sqrt(2 e_d:e_d) = 2.4.
   const Matrix strain{{{1.0, 0.7, -0.4}, {0.7, -0.6, 0.3}, {-0.4, 0.3, -0.3}}};
   Matrix gradient{};
   for (int i = 0; i < 3; ++i)
@@ -88,8 +89,8 @@ inline const char* name_of(deck::Quadrature quadrature) {
   return "";
 }
 
-/// A small lattice of one material: 5 x 4 x 4 particles, in 2-D 8 x 6. Its spacing is not 1, so that a missing power
-/// of it shows; the horizon reaches a few particles from every point and all of the body from none.
+/// A small lattice of one material: 5 x 4 x 4 particles, in 2-D 8 x 6. Its spacing is not 1, so that a missing power of
+/// it shows. The horizon reaches a few particles from every point, and the whole body from none.
 inline mechanics::Scene small_scene(const MaterialRow& row, deck::Influence influence, deck::Quadrature quadrature,
                                     bool small_strain = false) {
   const bool flat = row.dimension == 2;

@@ -1,5 +1,5 @@
 #pragma once
-/// Classical J2 plasticity of a solid's point, written without looking at the library: full tensors, the radial return
+/// Classical J2 plasticity of a point of a solid, written independently of the library: full tensors, the radial return
 /// of the textbooks, Prager's back stress, a yield stress of any shape.
 #include <array>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace perinox::test {
 
-/// xx yy zz yz xz xy.
+/// A symmetric tensor: xx yy zz yz xz xy.
 using Tensor = std::array<double, 6>;
 
 inline double contract(const Tensor& a, const Tensor& b) {
@@ -23,9 +23,10 @@ inline Tensor deviator(Tensor a) {
   return a;
 }
 
-/// Moduli `bulk` and `shear` of the material table.
+/// A point of the solid with the moduli `bulk` and `shear` of the material table.
 struct LocalPlasticity {
-  /// Yield stress in shear over plastic shear strain: straight between rows, beyond the last one with `last_slope`.
+  /// Yield stress in shear over plastic shear strain. It is straight between rows and has `last_slope` beyond the last
+  /// one.
   std::vector<std::array<double, 2>> rows{{0, yield_shear}};
   double last_slope = 0;
   double kinematic = 0;  ///< slope of the back stress in shear over plastic shear strain
@@ -38,7 +39,7 @@ struct LocalPlasticity {
         return rows[k][1] + (rows[k + 1][1] - rows[k][1]) * (at - rows[k][0]) / (rows[k + 1][0] - rows[k][0]);
     return rows.back()[1] + last_slope * (at - rows.back()[0]);
   }
-  /// Stress and next history under a strain.
+  /// The stress under a strain, and the next history.
   Tensor stress(const Tensor& strain, LocalPlasticity* next = nullptr) const {
     const double volume = strain[0] + strain[1] + strain[2];
     const Tensor shape = deviator(strain);
@@ -65,14 +66,14 @@ struct LocalPlasticity {
     }
     return result;
   }
-  /// Of the strain with the history at hand: elastic, and stored by the back stress.
+  /// The energy of a strain with the current history: the elastic energy and that stored by the back stress.
   double stored_energy(const Tensor& strain) const {
     const double volume = strain[0] + strain[1] + strain[2];
     Tensor elastic = deviator(strain);
     for (int c = 0; c < 6; ++c) elastic[c] -= plastic[c];
     return bulk * volume * volume / 2 + shear * contract(elastic, elastic) + kinematic * contract(plastic, plastic);
   }
-  /// The strain zz that leaves no stress zz: a bisection, as it rises with the strain.
+  /// The strain zz that leaves no stress zz, found by bisection because the stress rises with the strain.
   double free_strain(Tensor strain) const {
     double low = -1, high = 1;
     for (int k = 0; k < 200; ++k) {
@@ -89,7 +90,8 @@ struct Hardening {
   double isotropic = 0, kinematic = 0;
   bool table = false;
 
-  /// Rises, rests, falls and rises again within the plastic strains of the tests' paths, which end beyond it.
+  /// A table that rises, rests, falls and rises again within the plastic strains of the tests' paths, which end beyond
+  /// it.
   static std::vector<std::array<double, 2>> rows() {
     return {{0, yield_shear},
             {0.4 * yield_strain, 1.3 * yield_shear},

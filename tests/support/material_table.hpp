@@ -1,5 +1,5 @@
 #pragma once
-/// Every material and the states it is tested in. A new material needs one row in materials() and nothing else.
+/// All materials and the states in which they are tested. A new material needs one row in materials() and nothing else.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace perinox::test {
 
-/// Steel-like constants in units that make stresses of order 100 (MPa): Mitchell's section 8.
+/// Steel-like constants in units that make stresses of order 100 (MPa), from Mitchell's section 8.
 constexpr double bulk = 67.5e3;
 constexpr double shear = 25.9e3;
 constexpr double yield_shear = 117.26;                // about 203.1/sqrt(3)
@@ -123,7 +123,7 @@ inline std::vector<MaterialRow> material_table() {
   };
 }
 
-/// A load path in effective shear, in units of the yield strain; the last entry is the state under test, those before
+/// A load path in effective shear, in units of the yield strain. The last entry is the state under test; those before
 /// it are committed one after the other. Entries on one `direction` are proportional to each other.
 struct LoadPath {
   struct Stop {

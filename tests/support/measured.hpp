@@ -1,6 +1,6 @@
 #pragma once
-/// Tolerances in these tests stand beside the value measured when they were written. This keeps the largest value seen
-/// under each name and prints the list when the program ends, so that the comments can be checked by running the tests.
+/// Tolerances in these tests stand beside the value measured when they were written. This header keeps the largest
+/// value seen under each name and prints the list when the program ends, so that running the tests checks the comments.
 #include <gtest/gtest.h>
 
 #include <algorithm>

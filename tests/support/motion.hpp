@@ -1,5 +1,5 @@
 #pragma once
-/// Decks of bodies in motion, and what their runs are asked for.
+/// Decks of bodies in motion, and questions about their runs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 
-/// A scene of a deck with dynamics: explicit and its stepper.
+/// A scene of a deck with `dynamics: explicit` and its stepper.
 struct InMotion {
   explicit InMotion(deck::Deck the_deck, MPI_Comm comm = MPI_COMM_SELF)
       : deck(std::move(the_deck)), scene(mechanics::build_scene(deck, Communicator(comm))), stepper(deck, scene) {}
@@ -21,7 +21,7 @@ struct InMotion {
   stepping::TimeStepper stepper;
   Recorder records;
 
-  /// The reason, if it stopped short.
+  /// Runs the stepper. Returns the reason if it stopped short.
   std::string run() {
     try {
       stepper.run(records);
@@ -30,7 +30,7 @@ struct InMotion {
     }
     return "";
   }
-  /// Momentum of a set's particles, of this rank.
+  /// Momentum of the particles of a set on this rank.
   std::array<double, 3> momentum(const std::string& set = "all") {
     std::array<double, 3> sum{};
     const auto d = static_cast<std::size_t>(scene.dimension());
@@ -46,7 +46,7 @@ struct InMotion {
   }
 };
 
-/// What the energies of the rows leave unaccounted for, of the largest energy: the columns of history.csv.
+/// Energy that the rows leave unaccounted for, over the largest energy, from the columns of history.csv.
 inline double worst_gap(const std::vector<StepRecord>& rows) {
   double gap = 0, size = 0;
   for (const StepRecord& row : rows) {
@@ -73,4 +73,4 @@ dynamics: explicit
                      a, b, c, model, model == "elastic" ? "" : ", yield_stress: {tension: 300}", rest);
 }
 
-}  // namespace perinox::testing
+}  // namespace perinox::test

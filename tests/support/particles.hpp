@@ -13,17 +13,17 @@ struct Particle {
   deck::Point x{};               ///< reference position
   double volume = 0;             ///< in 2-D: area
   std::array<double, 3> u{};     ///< displacement
-  std::array<double, 3> pull{};  ///< what a support does to it: minus the internal force
+  std::array<double, 3> pull{};  ///< the force of a support on it: minus the internal force
   double dilatation = 0;
   double stress_xx = 0;                  ///< 0 unless the deck has output.fields: [stress]
   double energy = 0;                     ///< stored energy a volume
   double equivalent_plastic_strain = 0;  ///< 0 where the material has none
 };
 
-/// Values after one committed step.
+/// The values after one committed step.
 struct Step {
   double t = 0, stored = 0, dissipated = 0, work = 0;
-  std::vector<double> history;  ///< the deck's, in its order
+  std::vector<double> history;  ///< the deck's history entries, in its order
 };
 
 struct Solution {
@@ -34,7 +34,7 @@ struct Solution {
 
 using Enough = std::function<bool(const Step&)>;
 
-/// Runs a deck on one rank; a run that stops short keeps its last committed step. One that may stop earlier does so
+/// Runs a deck on one rank. A run that stops short keeps its last committed step. A run that may stop earlier does so
 /// after the first step that is `enough`.
 inline Solution solve(const std::string& yaml, const Enough& enough = nullptr) {
   class Watch : public Observer {
@@ -55,7 +55,7 @@ inline Solution solve(const std::string& yaml, const Enough& enough = nullptr) {
     std::map<std::string, std::vector<double>> values;
     std::size_t owned = 0;
   };
-  const deck::Deck deck = testing::deck_of(yaml);
+  const deck::Deck deck = test::deck_of(yaml);
   mechanics::Scene scene = mechanics::build_scene(deck, Communicator(MPI_COMM_SELF));
   stepping::LoadStepper stepper(deck, scene);
   Watch watch(enough);
@@ -89,7 +89,7 @@ inline Solution solve(const std::string& yaml, const Enough& enough = nullptr) {
   return solution;
 }
 
-/// The same for a run that has to reach its end.
+/// Runs a deck that has to reach its end.
 inline Solution solve_to_end(const std::string& yaml) {
   Solution solution = solve(yaml);
   EXPECT_EQ(solution.stopped, "");

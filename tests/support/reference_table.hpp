@@ -1,5 +1,5 @@
 #pragma once
-/// Reading tests/data/reference: comment lines with #, a header, rows of numbers.
+/// Reads the tables of tests/data/reference: comment lines with #, a header, rows of numbers.
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -31,7 +31,7 @@ class ReferenceTable {
 
   std::size_t rows() const { return rows_.size(); }
   double at(std::size_t row, const std::string& column) const { return rows_.at(row).at(index(column)); }
-  /// x, y, z of three columns of one row after the other, rows [first, first + count).
+  /// The vectors x, y, z in three columns of the rows [first, first + count), one after the other.
   std::vector<double> vectors(const std::string& x, const std::string& y, const std::string& z, std::size_t first,
                               std::size_t count) const {
     std::vector<double> values;

@@ -11,9 +11,9 @@
 #include "perinox/output/checkpoint.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 
-/// A folder for checkpoints, the same on all ranks of a communicator, gone at the end.
+/// A folder for checkpoints. It is the same on all ranks of a communicator and is gone at the end.
 class CheckpointFolder {
  public:
   explicit CheckpointFolder(const Communicator& ranks) : ranks_(ranks) {
@@ -33,7 +33,8 @@ class CheckpointFolder {
   CheckpointFolder(const CheckpointFolder&) = delete;
   CheckpointFolder& operator=(const CheckpointFolder&) = delete;
   std::string of_step(int step) const { return fmt::format("{}/{}.h5", path_, step); }
-  /// The checkpoints within steps, in their order, each with the last step committed before.
+  /// Path of a checkpoint within a step. They are numbered in their order; `passes` has the last step committed before
+  /// each.
   std::string of_pass(int number) const { return fmt::format("{}/within_{}.h5", path_, number); }
   mutable std::vector<int> passes;
   const std::string& path() const { return path_; }
@@ -43,8 +44,8 @@ class CheckpointFolder {
   std::string path_;
 };
 
-/// Runs a stepper from the start or from a checkpoint, and leaves checkpoints in the folder if there is one: of every
-/// step, and of every third moment within a step at which there may be one.
+/// Runs a stepper from the start or from a checkpoint. If there is a folder it leaves checkpoints in it: one of every
+/// step, and one of every third moment within a step at which there may be one.
 template <class Stepper>
 RunResult run_stepper(Stepper& stepper, const mechanics::Scene& scene, const std::string& restart,
                       const CheckpointFolder* folder) {
@@ -69,7 +70,7 @@ RunResult run_stepper(Stepper& stepper, const mechanics::Scene& scene, const std
   return run_with(stepper);
 }
 
-/// A run from the start (restart empty) or from a checkpoint; with a folder, checkpoints are left in it.
+/// Makes a run from the start (restart empty) or from a checkpoint. If there is a folder, checkpoints are left in it.
 inline RunResult run_with_checkpoints(const deck::Deck& deck, MPI_Comm comm, const std::string& restart,
                                       const CheckpointFolder* folder) {
   mechanics::Scene scene = mechanics::build_scene(deck, Communicator(comm));
@@ -87,7 +88,7 @@ inline RunResult run_with_checkpoints(const deck::Deck& deck, MPI_Comm comm, con
   return run;
 }
 
-/// The numbers of a step's row that a restart must give again.
+/// The numbers of a step's row that a restart must reproduce.
 inline std::vector<double> numbers_of(const StepRecord& row) {
   std::vector<double> all{static_cast<double>(row.step),
                           row.t,
@@ -108,7 +109,7 @@ inline std::vector<double> numbers_of(const StepRecord& row) {
   return all;
 }
 
-/// The largest difference of two runs' rows from `first_step` on, iteration counts left out, relative to the largest
+/// The largest difference of two runs' rows from `first_step` on, without iteration counts, relative to the largest
 /// value in the column.
 inline double history_difference(const RunResult& whole, const RunResult& part, int first_step) {
   if (static_cast<std::size_t>(first_step) - 1 + part.records.steps.size() != whole.records.steps.size()) return 1;
@@ -132,8 +133,8 @@ inline double history_difference(const RunResult& whole, const RunResult& part, 
   return largest;
 }
 
-/// A run that is broken off after every step, and once within each step that goes through time, and goes on every time
-/// from its own checkpoint in a program that knows nothing else. pieces: how many those were.
+/// Breaks a run off after every step, and once within each step that goes through time. It goes on every time from its
+/// own checkpoint in a program that knows nothing else. pieces: the number of parts.
 template <class Stepper>
 RunResult run_in_pieces_of(const deck::Deck& deck, int& pieces) {
   const CheckpointFolder folder{Communicator(MPI_COMM_SELF)};
@@ -179,4 +180,4 @@ inline RunResult run_in_pieces(const deck::Deck& deck, int& pieces) {
                                                     : run_in_pieces_of<stepping::LoadStepper>(deck, pieces);
 }
 
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -11,9 +11,9 @@
 
 namespace perinox::test {
 
-/// A bar of width x width x length along z, its axis at x = y = 0 and its foot at z = 0, filled with a cubic lattice of
-/// spacing 1 that is turned by `degrees` about y: at 45 the bar lies along [110]. jitter: of every coordinate of every
-/// particle. The file lives as long as this.
+/// A bar of width x width x length along z, with its axis at x = y = 0 and its foot at z = 0. It is filled with a cubic
+/// lattice of spacing 1 that is turned by `degrees` about y; at 45 the bar lies along [110]. jitter: of every
+/// coordinate of every particle. The file lives as long as this object.
 class BarCloud {
  public:
   BarCloud(int width, int length, double degrees, double jitter = 0)

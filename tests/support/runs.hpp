@@ -1,5 +1,5 @@
 #pragma once
-/// Runs of decks written in the test itself, and what they leave behind.
+/// Runs of decks that are written in the test itself, and what they leave behind.
 #include <fmt/format.h>
 #include <mpi.h>
 
@@ -17,7 +17,7 @@
 #include "perinox/stepping/time_stepper.hpp"
 #include "support/decks.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 
 /// Keeps every record of a run.
 class Recorder : public Observer {
@@ -48,20 +48,20 @@ class Recorder : public Observer {
   }
 
   std::vector<NewtonIteration> iterations;
-  std::vector<StepRecord> begins;  ///< step 0; none of a run that goes on
+  std::vector<StepRecord> begins;  ///< step 0; empty for a run that goes on
   std::vector<StepRecord> steps;
   std::vector<std::pair<double, double>> rejected;
   std::vector<std::string> reasons;
-  int stopped_after = -1;  ///< the last converged step told on stopping; -1: the run did not stop short
+  int stopped_after = -1;  ///< last converged step as reported on stopping; -1: the run did not stop short
 };
 
-/// A finished run: records, and the final displacement and force by particle id (owned particles of this rank).
+/// A finished run: its records, and the final displacement and force by particle id (owned particles of this rank).
 struct RunResult {
   Recorder records;
   std::map<GlobalId, std::vector<double>> displacement, force;
   std::string stopped;  ///< the reason, if it stopped short
   stepping::Energies energies;
-  motion::MotionEnergies motion;  ///< of dynamics: explicit
+  motion::MotionEnergies motion;  ///< for `dynamics: explicit`
   std::string preconditioner;
 };
 
@@ -107,7 +107,7 @@ inline RunResult run_deck(const deck::Deck& deck, MPI_Comm comm = MPI_COMM_SELF)
   return run;
 }
 
-/// Largest difference over largest size of two fields; the first may hold a part of the second's particles.
+/// Largest difference of two fields over the largest size. The first field may hold a part of the second's particles.
 inline double relative_difference(const std::map<GlobalId, std::vector<double>>& part,
                                   const std::map<GlobalId, std::vector<double>>& whole) {
   double difference = 0, size = 0;
@@ -119,8 +119,8 @@ inline double relative_difference(const std::map<GlobalId, std::vector<double>>&
   return size > 0 ? difference / size : difference;
 }
 
-/// Perfectly plastic aluminium cube of n^3 particles of spacing h (mm), two layers held at each end in z, pulled by
-/// `pull` (mm) over `steps` steps.
+/// A perfectly plastic aluminium cube of n^3 particles of spacing h (mm). Two layers are held at each end in z, and it
+/// is pulled by `pull` (mm) over `steps` steps.
 inline std::string pulled_cube(int n, double pull, int steps, const std::string& extra = "", double h = 1) {
   return fmt::format(R"(
 title: pulled cube
@@ -145,4 +145,4 @@ history:
                      n * h, h, 2 * h, (n - 2) * h, pull, steps, extra);
 }
 
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -1,6 +1,6 @@
 #pragma once
-/// Small scenes made in C++ through the real body and bonds rooms, displacement fields on them, and the vectors the
-/// mechanics room answers with. One rank: owned particles are all particles, in the order of their ids.
+/// Small scenes made in C++ with the real rooms body and bonds, displacement fields on them, and the vectors that the
+/// room mechanics returns. With one rank the owned particles are all particles, in the order of their ids.
 #include <unistd.h>
 
 #include <array>
@@ -31,7 +31,7 @@ Materials materials_of(Pointers... pointers) {
   return list;
 }
 
-/// Adds a box of lattice particles; its material is named `material_<index>`.
+/// Adds a box of lattice particles. Its material is named `material_<index>`.
 inline void add_box(deck::Deck& deck, const deck::Point& min, const deck::Point& max, double spacing, int material) {
   deck::BodyPart part;
   part.name = "body_" + std::to_string(deck.body.size());
@@ -41,8 +41,8 @@ inline void add_box(deck::Deck& deck, const deck::Point& min, const deck::Point&
   deck.body.push_back(part);
 }
 
-/// An empty deck with `count` materials, which the caller hands to make_scene ready-made. Whole neighbours: a test that
-/// wants another quadrature says so.
+/// An empty deck with `count` materials, which the caller hands ready-made to make_scene. The quadrature is `whole`,
+/// unless a test sets another.
 inline deck::Deck empty_deck(deck::Dimension dimension, double horizon, std::size_t count = 1) {
   deck::Deck deck;
   deck.file = "scene.yaml";
@@ -57,7 +57,7 @@ inline deck::Deck empty_deck(deck::Dimension dimension, double horizon, std::siz
   return deck;
 }
 
-/// One box of counts[0] x counts[1] (x counts[2]) lattice particles with a corner at the origin.
+/// A deck with one box of counts[0] x counts[1] (x counts[2]) lattice particles with a corner at the origin.
 inline deck::Deck lattice_deck(deck::Dimension dimension, const std::array<int, 3>& counts, double spacing,
                                double horizon_ratio) {
   deck::Deck deck = empty_deck(dimension, horizon_ratio * spacing);
@@ -66,8 +66,8 @@ inline deck::Deck lattice_deck(deck::Dimension dimension, const std::array<int, 
   return deck;
 }
 
-/// One body of given points, rows of x, y, z, volume: written to a file, as a deck would have it, which make_scene
-/// reads and remove_cloud removes.
+/// A deck with one body of given points, rows of x, y, z, volume. They are written to a file, which make_scene reads
+/// and remove_cloud removes.
 inline deck::Deck cloud_deck(const std::vector<std::array<double, 4>>& points, double horizon) {
   const auto path = std::filesystem::temp_directory_path() / ("perinox_cloud_" + std::to_string(::getpid()) + ".csv");
   std::ofstream file(path);
@@ -98,7 +98,7 @@ inline mechanics::Scene make_scene(const deck::Deck& deck, Materials materials,
 
 // --- displacement fields --------------------------------------------------------------------------------------------
 
-/// u = (F - I) X, the first d rows and columns of F.
+/// The field u = (F - I) X, with the first d rows and columns of F.
 inline Vector affine_field(const mechanics::Scene& scene, const Matrix& gradient) {
   const int d = scene.dimension();
   Vector field(scene.owned_unknowns());
@@ -119,7 +119,7 @@ inline Vector random_field(const mechanics::Scene& scene, double amplitude, unsi
   return field;
 }
 
-/// a + s b.
+/// The vector a + s b.
 inline Vector sum(const Vector& a, double s, const Vector& b) {
   Vector result(a);
   for (std::size_t u = 0; u < a.size(); ++u) result[u] += s * b[u];
@@ -147,7 +147,7 @@ inline Matrix rotation(double degrees, int dimension) {
   return dimension == 2 ? about_z : product(about_x, about_z);
 }
 
-// --- answers of the mechanics room ----------------------------------------------------------------------------------
+// --- answers of the room mechanics ----------------------------------------------------------------------------------
 
 struct Answer {
   Vector force;
@@ -158,15 +158,22 @@ inline Answer internal_force(const mechanics::Scene& scene, const mechanics::Com
                              const Vector& displacement) {
   Answer answer;
   answer.force.assign(displacement.size(), std::nan(""));
-  mechanics::internal_force(scene, committed, displacement.data(), answer.trial, answer.force.data());
+  mechanics::Evaluation evaluation(scene);
+  mechanics::internal_force(evaluation, committed, displacement.data(), answer.trial, answer.force.data());
   return answer;
 }
 
-/// The state after equilibrium-less imposed steps through `path`.
+inline void commit(const mechanics::Scene& scene, mechanics::Committed& committed, mechanics::Trial trial) {
+  mechanics::Evaluation evaluation(scene);
+  committed.advance(evaluation, std::move(trial));
+}
+
+/// The state after the displacements of `path` have been imposed and committed one after the other, without
+/// equilibrium.
 inline mechanics::Committed committed_after(const mechanics::Scene& scene, const std::vector<Vector>& path) {
   mechanics::Committed committed(scene);
   for (const Vector& displacement : path)
-    committed.advance(scene, internal_force(scene, committed, displacement).trial);
+    commit(scene, committed, internal_force(scene, committed, displacement).trial);
   return committed;
 }
 
@@ -176,8 +183,9 @@ inline Vector times(const mechanics::Tangent& tangent, const Vector& x) {
   return y;
 }
 
-/// Relative error of the tangent along `direction` (largest entry 1) against central differences of the internal force,
-/// smallest over steps from 1e-3 to 1e-8 horizons: truncation spoils the large ones, rounding the small ones.
+/// Relative error of the tangent along `direction` (largest entry 1) against central differences of the internal force.
+/// It is the smallest over steps from 1e-3 to 1e-8 horizons: truncation spoils the large steps, rounding the small
+/// ones.
 inline double tangent_error(const mechanics::Scene& scene, const mechanics::Committed& committed,
                             const Vector& displacement, const Vector& direction, const mechanics::Tangent& tangent) {
   const Vector found = times(tangent, direction);
@@ -197,7 +205,7 @@ inline double tangent_error(const mechanics::Scene& scene, const mechanics::Comm
   return best;
 }
 
-/// |x.Ky - y.Kx| over |x| |Ky|.
+/// The asymmetry |x.Ky - y.Kx| over |x| |Ky|.
 inline double asymmetry(const mechanics::Tangent& tangent, const Vector& x, const Vector& y) {
   const Vector kx = times(tangent, x), ky = times(tangent, y);
   return std::abs(dot(x, ky) - dot(y, kx)) / (norm(x) * norm(ky));

@@ -13,14 +13,15 @@
 
 namespace perinox::test {
 
-/// What component c of field `salt` holds at particle `id`; no two equal.
+/// The value of component c of field `salt` at particle `id`. No two are equal.
 inline double value_of(GlobalId id, int salt, int c = 0) {
   return 0.1 * static_cast<double>(id) + 100.0 * salt + 1000.0 * c + 1.0 / 3.0;
 }
 
 inline int block_of(GlobalId id) { return static_cast<int>(id % 2); }
 
-/// `total` particles dealt to the ranks in a shuffled order; with more than one rank, the last rank owns none.
+/// A body of `total` particles dealt to the ranks in a shuffled order. With more than one rank, the last rank owns
+/// none.
 inline body::Body shuffled_body(const Communicator& communicator, GlobalId total, int dimension) {
   body::Body body;
   body.communicator = communicator;
@@ -40,7 +41,7 @@ inline body::Body shuffled_body(const Communicator& communicator, GlobalId total
   return body;
 }
 
-/// [owned * components] values of field `salt`.
+/// The [owned * components] values of field `salt`.
 inline std::vector<double> field_values(const body::Body& body, int salt, int components) {
   std::vector<double> values;
   for (int i = 0; i < body.owned; ++i)
@@ -58,7 +59,7 @@ inline StepRecord step_record(int step, double t) {
   return record;
 }
 
-/// A new, empty directory whose name is the same on every rank of the program; removed by rank 0 at the end.
+/// A new, empty directory whose name is the same on every rank of the program. Rank 0 removes it at the end.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {

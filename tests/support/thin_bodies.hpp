@@ -2,14 +2,14 @@
 /// Bodies one particle thick that fall on each other.
 #include <string>
 
-namespace perinox::testing {
+namespace perinox::test {
 
 struct ThinScene {
   const char* name;
   const char* dimension;
-  const char* resting;  ///< min and max of its box
+  const char* resting;  ///< min and max of the box of the body at rest
   const char* falling;
-  char axis;  ///< along which it falls, downwards
+  char axis;  ///< axis along which the other body falls, downwards
 };
 
 inline const ThinScene thin_scenes[] = {
@@ -22,7 +22,7 @@ inline const ThinScene thin_scenes[] = {
     {"rows", "3", "min: [0, 0, 0], max: [20, 1, 1]", "min: [9.5, -9.5, 1.2], max: [10.5, 10.5, 2.2]", 'z'},
 };
 
-/// far: a thick body far away, of another spacing.
+/// A deck of the two bodies. far: adds a thick body far away, of another spacing.
 inline std::string thin_deck(const ThinScene& scene, bool far) {
   const std::string velocity = std::string("velocity: {") + scene.axis + ": -2e4}";
   const bool solid = scene.axis == 'z';
@@ -48,4 +48,4 @@ history: [{name: above, displacement: falling, component: )" +
          scene.axis + "}, {name: below, displacement: resting, component: " + scene.axis + "}]\n";
 }
 
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -1,6 +1,6 @@
 #pragma once
-/// Rows of the tables in docs/verification.md. A test prints its rows; with PERINOX_VERIFICATION_ROWS=FILE it appends
-/// them to that file as well, and with PERINOX_VERIFICATION=full it goes on to the finer resolutions
+/// Rows of the tables in docs/verification.md. A test prints its rows. With PERINOX_VERIFICATION_ROWS=FILE it also
+/// appends them to that file, and with PERINOX_VERIFICATION=full it goes on to the finer resolutions
 /// (scripts/verification.sh sets both).
 #include <fmt/format.h>
 
@@ -36,13 +36,13 @@ class Verification {
   Verification(std::string table, std::string problem, std::string source)
       : table_(std::move(table)), problem_(std::move(problem)), source_(std::move(source)) {}
 
-  /// Writes a row and returns the error, relative to the exact answer (signed where that means something).
+  /// Writes a row and returns the error relative to the exact answer (with sign where that means something).
   double row(const std::string& quadrature, const std::string& resolution, std::size_t particles, double error) {
     return write(quadrature, resolution, particles, error, "");
   }
 
-  /// The same with the observed order, log(previous error / error) / log(fineness / previous fineness), where the row
-  /// before has the same quadrature and an error of the same sign; else without.
+  /// Writes a row with the observed order, log(previous error / error) / log(fineness / previous fineness), if the row
+  /// before has the same quadrature and an error of the same sign; otherwise without.
   double converging(const std::string& quadrature, const std::string& resolution, std::size_t particles, double error,
                     double fineness) {
     order_ = quadrature == quadrature_ ? std::log(error_ / error) / std::log(fineness / fineness_) : std::nan("");
@@ -50,7 +50,7 @@ class Verification {
     return write(quadrature, resolution, particles, error, order_ == order_ ? fmt::format("{:.2f}", order_) : "");
   }
 
-  /// Of the last row; not-a-number, which no EXPECT_GE accepts, if it has none.
+  /// The observed order of the last row. If it has none it is not-a-number, which no EXPECT_GE accepts.
   double order() const { return order_; }
 
  private:

@@ -9,7 +9,7 @@
 #include "perinox/fracture/fragments.hpp"
 #include "support/motion.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 /// A particle beside a crack has lost at least this share of its family.
@@ -163,4 +163,4 @@ TEST(DynamicFracture, ARingThatFliesApartBreaksIntoFragmentsThatAreCounted) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -7,7 +7,7 @@
 #include "support/fracture.hpp"
 #include "support/verification.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 constexpr double energy_release_rate = 0.05;  // of both decks, N/mm
@@ -88,4 +88,4 @@ TEST(Fracture, AnEdgeCrackRunsAtTheLoadOfFractureMechanics) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

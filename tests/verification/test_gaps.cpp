@@ -4,7 +4,7 @@
 #include "support/measured.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 /// Force on the upper edge of a plate 40 x 40 in plane stress, pulled by 0.1 at both ends, cut from the left to its
@@ -66,4 +66,4 @@ history: [{name: F, reaction: lo, component: z}, {name: T, reaction: hi, compone
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -7,7 +7,7 @@
 #include "perinox/stepping/plastic_stretch.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 constexpr int width = 10;  ///< particles
@@ -130,4 +130,4 @@ INSTANTIATE_TEST_SUITE_P(Quadratures, LargePlasticStrain, ::testing::Values("pos
                          [](const auto& quadrature) { return quadrature.index == 0 ? "PositionAware" : "Whole"; });
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -116,7 +116,7 @@ TEST(MitchellPlasticity, ElevenStepsOfLoadingUnloadingAndReversal) {
     EXPECT_LE(measured("plastic history: plastic multiplier",
                        relative_difference(multiplier, table.column("lambda", first, points))),
               1e-10);  // 2.6e-13
-    committed.advance(scene, std::move(answer.trial));
+    commit(scene, committed, std::move(answer.trial));
   }
   // The path does load, unload and load again.
   EXPECT_GT(most_yielding, scene.owned() / 2);

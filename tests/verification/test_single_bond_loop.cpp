@@ -5,7 +5,7 @@
 
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 // 6061-T6 of Mitchell's Table 1; one bond of length 1 between two points of volume 1, omega = 1, so m = 1 at each.
@@ -69,4 +69,4 @@ TEST(SingleBondLoop, YieldUnloadReverseYieldReload) {
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

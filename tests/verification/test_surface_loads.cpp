@@ -6,7 +6,7 @@
 #include "support/measured.hpp"
 #include "support/runs.hpp"
 
-namespace perinox::testing {
+namespace perinox::test {
 namespace {
 
 constexpr double young = 70e3;
@@ -144,4 +144,4 @@ steps: {{end: 1, count: 1}}
 }
 
 }  // namespace
-}  // namespace perinox::testing
+}  // namespace perinox::test

@@ -7,13 +7,13 @@ namespace perinox::body {
 /// Closed intervals of a parameter, ascending and disjoint: first <= second.
 using Intervals = std::vector<std::pair<double, double>>;
 
-/// What lies in either; intervals that touch become one.
+/// The parameters that lie in either. Intervals that touch become one.
 Intervals unite(const Intervals& a, const Intervals& b);
-/// What lies in both.
+/// The parameters that lie in both.
 Intervals intersect(const Intervals& a, const Intervals& b);
-/// What lies in `a` and not inside of `b`; the ends of b's intervals stay.
+/// The parameters that lie in `a` and not inside of `b`. The ends of b's intervals stay.
 Intervals subtract(const Intervals& a, const Intervals& b);
-/// Sum of the lengths.
+/// Sum of the intervals' lengths.
 double length(const Intervals& a);
 
 }  // namespace perinox::body

@@ -13,10 +13,10 @@ class NeighborSearch {
   NeighborSearch(const std::vector<double>& points, int dimension);
   ~NeighborSearch();
 
-  /// Points within `radius` of `center` (the center's own point too), in ascending order of index. A point at exactly
-  /// the radius counts as inside (relative tolerance 1e-10). Replaces what is in `found`.
+  /// Finds the points within `radius` of `center` (the center's own point too), in ascending order of index. A point at
+  /// exactly the radius counts as inside (relative tolerance 1e-10). Replaces what is in `found`.
   void within(const double* center, double radius, std::vector<LocalIndex>& found) const;
-  /// The nearest point to `center` other than `except` (-1: no exception), and its distance; -1 where there is none.
+  /// The point nearest to `center` other than `except` (-1: no exception), and its distance. It is -1 if there is none.
   LocalIndex nearest(const double* center, double& distance, LocalIndex except = -1) const;
 
  private:
@@ -24,8 +24,8 @@ class NeighborSearch {
   std::unique_ptr<Tree> tree_;
 };
 
-/// For each of the first `queries` points: all points (except itself) within `radius` of it, in ascending order of
-/// local index. points: [count * dimension]. One k-d tree (nanoflann), O(count log count).
+/// Finds, for each of the first `queries` points, all points (except itself) within `radius` of it, in ascending order
+/// of local index. points: [count * dimension]. It uses one k-d tree (nanoflann), O(count log count).
 std::vector<std::vector<LocalIndex>> neighbors_within(const std::vector<double>& points, int dimension, int queries,
                                                       double radius);
 

@@ -7,25 +7,26 @@
 
 namespace perinox::body {
 
-/// One particle on its way to the rank that will own it; travels between ranks as plain bytes.
+/// One particle on its way to the rank that will own it. It travels between ranks as plain bytes.
 struct Particle {
   GlobalId id;
   deck::Point position;  ///< z = 0 in 2-D
   double volume;         ///< 2-D: area
   int part;              ///< index into deck.body
-  int neighbors = 0;     ///< within reach, once they have been counted
+  int neighbors = 0;     ///< number of particles within reach, once they have been counted
 };
 
-/// Sends each particle to the ranks in its list of destinations: particles[send[r][k]] to rank r. Returns what this
-/// rank receives, in ascending id. send: [ranks][any]. Collective.
+/// Sends particles to other ranks: particles[send[r][k]] go to rank r. Returns what this rank receives, in ascending
+/// id. send: [ranks][any]. Collective.
 std::vector<Particle> exchange(const std::vector<Particle>& particles, const std::vector<std::vector<LocalIndex>>& send,
                                const Communicator& communicator);
 
-/// Moves every particle to the one rank named for it. destination: [particles]. Collective.
+/// Moves every particle to the one rank named for it and returns what this rank receives. destination: [particles].
+/// Collective.
 std::vector<Particle> migrate(const std::vector<Particle>& particles, const std::vector<int>& destination,
                               const Communicator& communicator);
 
-/// Coordinates one after another, [particles * dimension].
+/// Coordinates of the particles one after another, [particles * dimension].
 std::vector<double> coordinates(const std::vector<Particle>& particles, int dimension);
 
 }  // namespace perinox::body

@@ -7,7 +7,7 @@
 
 namespace perinox::bonds {
 
-/// One offset of the half stencil: it stands for the bond to the cell `step` further on and for the reverse bond.
+/// One offset of the half stencil. It stands for the bond to the cell `step` further on and for the reverse bond.
 struct StencilOffset {
   std::array<int, 3> step{};  ///< cells along the grid's axes
   double length = 0;          ///< xi
@@ -15,66 +15,68 @@ struct StencilOffset {
   double influence = 0;       ///< omega(xi)
 };
 
-/// The families of a lattice body without a word a bond: one stencil for all, and for every eight neighbouring cells of
-/// a row that do not have all of its bonds a bit a bond. Bonds between two ghosts are left out.
+/// The families of a lattice body, stored without a word a bond. All particles share one stencil. Every eight
+/// neighbouring cells of a row that do not have all of its bonds keep one bit a bond. Bonds between two ghosts are left
+/// out.
 class LatticeFamilies {
  public:
-  /// Eight cells of a row with at least one bond of the half stencil.
+  /// Eight neighbouring cells of a row that have at least one bond of the half stencil.
   struct Block {
-    std::int64_t cell = 0;
-    std::int64_t mask = -1;  ///< first of its offsets().size() masks; -1: every bond is there
+    std::int64_t cell = 0;   ///< first of the eight cells
+    std::int64_t mask = -1;  ///< index of the first of its offsets().size() masks; -1: every bond is there
   };
 
   LatticeFamilies(const body::Body& body, CellGrid grid);
-  /// To be called for every owned particle; then complete().
+  /// Takes the family of one owned particle. It is to be called for every one of them; then complete().
   void receive(LocalIndex i, const std::vector<FoundBond>& family, const body::Body& body);
   void complete();
 
   const CellGrid& grid() const { return grid_; }
   double volume() const { return volume_; }  ///< of a whole cell
   const std::vector<StencilOffset>& offsets() const { return offsets_; }
-  /// Blocks whose bonds join owned particles only come first: [0, interior()).
+  /// The blocks. Those whose bonds join owned particles only come first: [0, interior()).
   const std::vector<Block>& blocks() const { return blocks_; }
   std::size_t interior() const { return interior_; }
+  /// [masks] one bit for each cell of a block and offset: 1 where the bond is there.
   const std::vector<std::uint8_t>& masks() const { return masks_; }
   std::size_t bytes() const;
 
-  /// Takes the bond between two particles out, for good; what it was, or null if there is none.
+  /// Removes the bond between two particles for good. Returns its offset, or null if there is no such bond.
   const StencilOffset* remove(LocalIndex i, LocalIndex j);
-  /// visit(near end, far end, offset) for every bond, once.
+  /// Calls visit(near end, far end, offset) once for every bond.
   template <class Visit>
   void each(const Visit& visit) const;
 
-  /// A bond as the sweeps see it.
+  /// One end of a bond, as the sweeps over the lattice see it.
   struct Place {
     LocalIndex neighbor;
     std::size_t block;  ///< index into blocks()
-    int lane;
-    int offset;
-    bool far;  ///< true: the particle is the far end, the bond is the reverse of the offset
+    int lane;           ///< cell within the block that keeps the bond
+    int offset;         ///< index into offsets()
+    bool far;           ///< true: the particle is the far end, the bond is the reverse of the offset
   };
-  /// All bonds of particle i, in no particular order. Replaces what is in `places`.
+  /// Finds all bonds of particle i, in no particular order. Replaces what is in `places`.
   void places(LocalIndex i, std::vector<Place>& places) const;
-  /// One end of an offset's bonds, as seen from the particle that has it.
+  /// One end of an offset's bonds, as seen from a particle at that end.
   struct End {
-    std::int64_t to_neighbor = 0;  ///< cells of the grid to go on by
-    std::int64_t to_near = 0;      ///< to the cell that keeps the bond
+    std::int64_t to_neighbor = 0;  ///< step in cells from the particle to its neighbour
+    std::int64_t to_near = 0;      ///< step in cells from the particle to the cell that keeps the bond
     int offset = 0;
     bool far = false;
   };
   End end(int offset, bool far) const;
-  /// visit(place) for the bonds of particle i in the order of `ends`.
+  /// Calls visit(place) for the bonds of particle i in the order of `ends`.
   template <class Visit>
   void each_of(LocalIndex i, const std::vector<End>& ends, const Visit& visit) const {
     for (const End& end : ends) visit_end(grid_.cell[i], end, visit);
   }
-  /// Particle i's end of its bond to j; its neighbor is -1 if there is none.
+  /// Finds particle i's end of its bond to j; the neighbor of the result is -1 if there is none.
   Place find(LocalIndex i, LocalIndex j) const;
 
  private:
   static constexpr int lanes = 8;
   int number_of(const std::array<int, 3>& step);
-  /// visit(place) if the particle of cell `own` has this end of a bond.
+  /// Calls visit(place) if the particle of cell `own` has this end of a bond.
   template <class Visit>
   void visit_end(std::int64_t own, const End& end, const Visit& visit) const;
   bool bond(std::int64_t cell, int offset) const {
@@ -90,10 +92,10 @@ class LatticeFamilies {
   std::vector<StencilOffset> offsets_;
   std::vector<Block> blocks_;
   std::vector<std::uint8_t> masks_;
-  std::vector<int> block_of_;  ///< [grid size/8] index into blocks_; -1
+  std::vector<int> block_of_;  ///< [grid size/8] index into blocks_; -1: no bonds
   std::size_t interior_ = 0;
 
-  // While the families come in.
+  // The following are used while the families come in.
   std::vector<std::vector<std::uint8_t>> bits_;  ///< [offset][grid size/8]
   std::vector<std::uint8_t> touches_ghost_;      ///< [grid size/8]
   int reach_ = 0;
@@ -116,7 +118,7 @@ void LatticeFamilies::each(const Visit& visit) const {
 
 template <class Visit>
 void LatticeFamilies::visit_end(std::int64_t own, const End& end, const Visit& visit) const {
-  // A step may leave the row, but a cell that has the bond has it to this particle and to no other.
+  // A step may leave the row. But a cell that has the bond has it to this particle and to no other.
   const std::int64_t cell = own + end.to_near;
   if (cell < 0 || !bond(cell, end.offset)) return;
   visit(Place{grid_.particle[own + end.to_neighbor], static_cast<std::size_t>(block_of_[cell / lanes]),

@@ -1,5 +1,5 @@
 #pragma once
-/// Where the wall time of a run goes, by named sections.
+/// Measures where the wall time of a run goes, by named sections.
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -7,7 +7,8 @@
 
 namespace perinox {
 
-/// What is timed. Time outside all of them (vector updates and reductions of the Krylov method, NOX) is the rest.
+/// The sections that are timed. Time outside all of them (vector updates and reductions of the Krylov method, NOX) is
+/// the rest.
 enum class Section {
   product,         ///< tangent times vector, matrix-free or sparse
   preconditioner,  ///< set-up and application
@@ -18,30 +19,31 @@ enum class Section {
   output           ///< files and terminal
 };
 constexpr std::size_t section_count = 7;
-/// "product", ...: the end of the column's name in history.csv.
+/// Name of a section ("product", ...), with which the name of its column in history.csv ends.
 const char* name_of(Section section);
 
-/// Counts and seconds of every section; a difference of two readings is what happened between them.
+/// Counts and seconds of every section. The difference of two readings is what happened between them.
 struct ProfileReading {
   std::array<long long, section_count> count{};
   std::array<double, section_count> seconds{};
-  double wall = 0;  ///< since the profile was made; of a difference: between the two readings
+  double wall = 0;  ///< time since the profile was made; in a difference: time between the two readings
 
   long long count_of(Section section) const { return count[static_cast<std::size_t>(section)]; }
   double seconds_of(Section section) const { return seconds[static_cast<std::size_t>(section)]; }
-  /// Wall time in no section; not below 0.
+  /// Wall time spent in no section; it is never below 0.
   double rest() const;
 };
 ProfileReading operator-(const ProfileReading& later, const ProfileReading& earlier);
 
-/// Stop watches of this rank. Time belongs to the innermost open section alone: a halo exchange inside a product
-/// counts as halo and is left out of product, so the sections of a reading never add up to more than the wall time.
-/// Opening and closing cost a clock reading each (tens of nanoseconds). One thread. Not collective.
+/// The stop watches of this rank. Time belongs to the innermost open section alone: a halo exchange inside a product
+/// counts as halo and is left out of product. The sections of a reading therefore never add up to more than the wall
+/// time. Opening and closing a section cost one clock reading each (tens of nanoseconds). A profile is for one thread
+/// and is not collective.
 class Profile {
  public:
   Profile();
 
-  /// Time from here to the end of the scope belongs to the section; a section opened inside it interrupts it.
+  /// Time from here to the end of the scope belongs to the section. A section opened inside it interrupts it.
   class Scope {
    public:
     Scope(Profile& profile, Section section) : profile_(profile) { profile_.open(section); }
@@ -53,14 +55,14 @@ class Profile {
     Profile& profile_;
   };
 
-  /// Up to now, open sections included.
+  /// The counts and seconds up to now, open sections included.
   ProfileReading read() const;
 
  private:
   using Clock = std::chrono::steady_clock;
   void open(Section section);
   void close();
-  /// Seconds since the last change of section, which belong to the innermost open one.
+  /// Seconds since the last change of section. They belong to the innermost open one.
   double since_change(Clock::time_point now) const;
 
   Clock::time_point begin_, change_;

@@ -1,6 +1,6 @@
 #pragma once
-/// Numbers of a saved state that the rest of the program can stand between bounds only. Collective; outside of them
-/// the state is refused with InputError on every rank.
+/// Reads numbers of a saved state and checks that they lie between bounds, because the rest of the program relies on
+/// these. All functions are collective. A number out of bounds makes every rank refuse the state with InputError.
 #include <limits>
 #include <string>
 
@@ -8,13 +8,13 @@
 
 namespace perinox {
 
-/// The whole number of this name, within [least, most].
+/// The whole number of this name. It must lie within [least, most].
 long long restored_integer(const StateReader& reader, const std::string& name, long long least, long long most);
 
-/// The same where it is kept in an int and counts something.
+/// A count of this name, kept in an int. It must lie within [0, most].
 int restored_count(const StateReader& reader, const std::string& name, int most = std::numeric_limits<int>::max());
 
-/// The number of this name, finite and not below `least`.
+/// The number of this name. It must be finite and at least `least`.
 double restored_number(const StateReader& reader, const std::string& name, double least);
 
 }  // namespace perinox

@@ -1,6 +1,6 @@
 #pragma once
-/// Tpetra types in the one instantiation perinox uses, declared but not defined: cheap to include. A translation unit
-/// that calls them includes the Tpetra headers itself.
+/// The Tpetra types in the one instantiation that perinox uses, declared but not defined, so that they are cheap to
+/// include. A translation unit that calls their members includes the Tpetra headers itself.
 #include <Teuchos_RCP.hpp>
 #include <Tpetra_CrsGraph_fwd.hpp>
 #include <Tpetra_CrsMatrix_fwd.hpp>

@@ -1,6 +1,6 @@
 #pragma once
-/// What the user wrote, read and checked against the schema, with every default filled in.
-/// Plain data: later rooms read it and never go back to YAML.
+/// The deck: what the user wrote, read and checked against the schema, with every default filled in. It is plain data.
+/// Later rooms read it and never go back to YAML.
 #include <array>
 #include <map>
 #include <optional>
@@ -18,7 +18,7 @@ namespace perinox::deck {
 using Point = std::array<double, 3>;
 
 enum class Dimension { three, plane_strain, plane_stress };
-/// Unknowns a particle: 3, or 2 in plane strain and plane stress.
+/// Number of unknowns of a particle: 3, or 2 in plane strain and plane stress.
 int unknowns(Dimension dimension);
 
 // --- shapes -------------------------------------------------------------------------------------------------------
@@ -26,17 +26,17 @@ struct Shape;
 struct Box {
   Point min, max;
 };
-/// Solid between the centres of its two end faces.
+/// A solid cylinder between the centres of its two end faces.
 struct Cylinder {
   Point start, end;
   double radius;
 };
-/// In 2-D a disc.
+/// A ball; in 2-D a disc.
 struct Sphere {
   Point center;
   double radius;
 };
-/// Box with a round hole along z through `center`.
+/// A box with a round hole along z through `center`.
 struct PlateWithHole {
   Point min, max, center;
   double radius;
@@ -48,7 +48,7 @@ struct Union {
 struct Difference {
   std::vector<Shape> parts;
 };
-/// Point cloud: CSV with header x,y,z,volume.
+/// A point cloud: a CSV file with the header x,y,z,volume.
 struct CloudFile {
   std::string path;
 };
@@ -61,33 +61,34 @@ struct BodyPart {
   Location location;
   std::string name;
   Shape shape;
-  /// Lattice spacing; for a cloud optional (0: not given).
+  /// Lattice spacing, length. It is optional for a cloud (0: not given).
   double spacing = 0;
   std::string material;
-  /// Cells that the shape's surface cuts count with the part of them that is inside, not whole or not at all.
+  /// True if cells that the shape's surface cuts count with the part of them that is inside. Otherwise they count whole
+  /// or not at all.
   bool cut_cells = false;
-  /// Of a point cloud: the region its particles fill.
+  /// The region that the particles of a point cloud fill.
   std::optional<Shape> outline{};
-  /// The shape before later bodies took their part of it; none: as it is.
+  /// The shape before later bodies took their part of it. It is absent if the shape is as it was written.
   std::optional<Shape> as_written{};
   Location spacing_location{};
 };
 
 // --- bonds --------------------------------------------------------------------------------------------------------
-/// Exactly one of the two is given.
+/// The horizon. Exactly one of ratio and length is given.
 struct Horizon {
   Location location;
-  std::optional<double> ratio;  ///< of the largest spacing
+  std::optional<double> ratio;  ///< horizon over the largest spacing
   std::optional<double> length;
 };
-/// Bonds that leave the material between their particles.
+/// What becomes of bonds that leave the material between their particles.
 enum class AcrossGaps { cut, keep };
-/// Bodies that overlap.
+/// What becomes of bodies that overlap.
 enum class Overlap { refuse, later_wins };
 enum class Influence { constant, inverse, polynomial };
 enum class Quadrature { whole, partial_volume, taper_inside, position_aware, surface_energy };
 
-/// Parallelogram corner + a*edge1 + b*edge2, 0 <= a, b <= 1.
+/// The parallelogram corner + a*edge1 + b*edge2, 0 <= a, b <= 1.
 struct CrackRectangle {
   Point corner, edge1, edge2;
 };
@@ -95,7 +96,7 @@ struct CrackDisc {
   Point center, normal;
   double radius;
 };
-/// 2-D: a straight cut.
+/// A straight cut in 2-D.
 struct CrackSegment {
   Point start, end;
 };
@@ -105,7 +106,7 @@ struct Crack {
 };
 
 // --- materials ----------------------------------------------------------------------------------------------------
-/// The material's own keys are declared by its model (materials room) and handed over as a checked Value.
+/// One material. Its own keys are declared by its model (room materials) and handed over as a checked Value.
 struct Material {
   Location location;
   std::string name;
@@ -135,14 +136,14 @@ struct Set {
 };
 
 enum class LoadKind { displacement, force, body_force, traction, pressure, velocity };
-/// One entry of `boundary`. Components not named are free (displacement) or zero (forces).
+/// One entry of `boundary`. Components that are not named are free (displacement) or zero (forces).
 struct Load {
   Location location;
   std::string set;
   LoadKind kind = LoadKind::displacement;
-  std::array<std::optional<Expression>, 3> component;  ///< of a pressure: the first
+  std::array<std::optional<Expression>, 3> component;  ///< a pressure has the first one only
   std::optional<Point> facing;  ///< traction and pressure: only faces whose outward normal has a part along this
-  /// Displacement only: the whole field from a CSV table instead of expressions.
+  /// The whole displacement field from a CSV table instead of expressions; for displacements only.
   std::optional<std::string> table;
   Location table_location;
 };
@@ -151,8 +152,8 @@ struct Load {
 struct Steps {
   double end = 1;        ///< load parameter t at the end; t starts at 0
   int count = 10;        ///< steps of equal size
-  bool adaptive = true;  ///< halve a failed step, grow it again
-  int max_cuts = 8;      ///< smallest step = (end/count)/2^max_cuts
+  bool adaptive = true;  ///< halve a failed step, and let steps grow again
+  int max_cuts = 8;      ///< the smallest step is (end/count)/2^max_cuts
   Control control = Control::load;
 };
 enum class TangentKind { automatic, matrix_free, assembled };
@@ -162,7 +163,7 @@ enum class Forcing { eisenstat_walker, constant };
 enum class LinearMethod { automatic, cg, gmres, direct };
 enum class Preconditioner { automatic, none, two_level, block_jacobi, jacobi, symmetric_gauss_seidel, chebyshev, ilu };
 struct Newton {
-  double tolerance = 1e-9;  ///< of the force residual, relative to the reactions
+  double tolerance = 1e-9;  ///< bound on the force residual relative to the reactions
   double update_tolerance =
       1e-6;  ///< of what another update would change, relative to the step's displacement increment
   int max_iterations = 25;
@@ -172,20 +173,20 @@ struct Newton {
 struct Linear {
   LinearMethod method = LinearMethod::automatic;
   Preconditioner preconditioner = Preconditioner::automatic;
-  double tolerance = 1e-2;  ///< constant forcing: tolerance; Eisenstat-Walker: the loosest one
+  double tolerance = 1e-2;  ///< with constant forcing the tolerance, with Eisenstat-Walker the loosest one
   int max_iterations = 2000;
-  int chebyshev_steps = 0;  ///< odd; 0: chosen by the scene
+  int chebyshev_steps = 0;  ///< odd; 0: the scene chooses
 };
 struct Solver {
   Location location;
-  TangentKind tangent = TangentKind::automatic;  ///< as asked; assembled() is what is done
+  TangentKind tangent = TangentKind::automatic;  ///< as asked for; assembled() tells what is done
   TangentForm form = TangentForm::consistent;
   Newton newton;
   Linear linear;
 
   /// True if the preconditioner or the direct method works on a matrix.
   bool needs_matrix() const;
-  /// The tangent that is used: the one asked for, or with `automatic` the matrix only where it is needed, because the
+  /// True if the assembled tangent is used. With `automatic` the matrix is used only where it is needed, because the
   /// matrix-free product is several times faster and smaller at every size (docs/performance.md).
   bool assembled() const;
 };
@@ -196,7 +197,7 @@ struct HistoryEntry {
   std::string name;
   HistoryKind kind = HistoryKind::reaction;
   std::string set;
-  int component = 0;  ///< 0 x, 1 y, 2 z; unused by `yielded`
+  int component = 0;  ///< 0 x, 1 y, 2 z; `yielded` does not use it
 };
 struct Output {
   int every = 1;
@@ -231,12 +232,12 @@ struct Deck {
   Output output;
   std::vector<HistoryEntry> history;
 
-  /// True where bonds of some material can break.
+  /// True if bonds of some material can break.
   bool breaks() const;
-  /// True where the run is explicit or may come to be.
+  /// True if the run is explicit or may come to be.
   bool may_move() const;
-  /// True where a run has faces, of cracks or of bodies that are not bonded, with nothing to keep them apart: every run
-  /// but an explicit one with contact.
+  /// True if a run has faces, of cracks or of bodies that are not bonded, with nothing to keep them apart. This is so
+  /// in every run with such faces but an explicit one with contact.
   bool may_overlap() const;
 
   /// The checked deck with all defaults, from which deck.resolved.yaml is written.

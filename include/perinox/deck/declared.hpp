@@ -1,5 +1,5 @@
 #pragma once
-/// YAML files that are no decks, declared and checked by the same means as decks.
+/// Reads YAML files that are no decks. They are declared and checked by the same means as decks.
 #include <string>
 
 #include "perinox/deck/schema.hpp"
@@ -7,13 +7,13 @@
 
 namespace perinox::deck {
 
-/// Reads `file` and checks it against the keys of `root`, which refers to no definitions. `kind` is what messages call
-/// the file: "study". Throws InputError with `file:line:column: sentence`.
+/// Reads `file` and checks it against the keys of `root`, which must refer to no definitions. Messages call the file a
+/// `kind`, such as "study". Throws InputError with `file:line:column: sentence`.
 Value read_declared(const std::string& file, const Key& root, const std::string& kind);
-/// The same from text; `file` is only named in messages.
+/// Reads and checks YAML from text. `file` is only named in messages.
 Value read_declared_text(const std::string& yaml, const std::string& file, const Key& root, const std::string& kind);
 
-/// The keys inside `root` as a Markdown table: key, type, default, range and sentence.
+/// The keys inside `root` as a Markdown table with key, type, default, range and sentence.
 std::string key_table(const Key& root);
 
 }  // namespace perinox::deck

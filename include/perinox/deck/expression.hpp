@@ -6,24 +6,24 @@
 
 namespace perinox::deck {
 
-/// A formula of x, y, z (reference position) and t (load parameter), evaluated by muParser.
-/// Parsed, and evaluated once at the origin, when built: a misspelt name is an InputError at the deck's line
-/// before anything runs. Copies share the compiled formula; one Expression is used by one thread at a time.
+/// A formula of x, y, z (reference position) and t (load parameter), evaluated by muParser. It is parsed, and evaluated
+/// once at the origin, when it is built, so that a misspelt name is an InputError at the deck's line before anything
+/// runs. Copies share the compiled formula. One Expression may be used by one thread at a time.
 class Expression {
  public:
   /// The constant zero.
   Expression();
-  /// A plain number.
+  /// A constant.
   explicit Expression(double value);
   /// Throws InputError (`file:line:column: ...`) if the formula cannot be read.
   Expression(std::string formula, const Location& where);
 
   double operator()(double x, double y, double z, double t) const;
-  /// As the condition of a set: true where the value is not zero.
+  /// Takes the formula as the condition of a set, which holds where the value is not zero.
   bool holds(double x, double y, double z) const { return (*this)(x, y, z, 0.0) != 0.0; }
   const std::string& text() const { return text_; }
   bool uses_time() const;
-  bool uses_position() const;  ///< x, y or z
+  bool uses_position() const;  ///< true if the formula uses x, y or z
 
  private:
   struct Compiled;

@@ -1,5 +1,5 @@
 #pragma once
-/// Short forms of the declarations that occur often.
+/// Short forms of the declarations of keys that occur often.
 #include <string>
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 namespace perinox::deck {
 
-/// A place in an input file. Lines and columns count from 1; line 0 means "the whole file".
+/// A place in an input file. Lines and columns count from 1; line 0 means the whole file.
 struct Location {
   std::string file;
   int line = 0;
@@ -13,7 +13,7 @@ struct Location {
   std::string text() const;
 };
 
-/// `<where>: <sentence>`; the sentence alone where the place is unknown.
+/// The text `<where>: <sentence>`, or the sentence alone if the place is unknown.
 std::string placed(const Location& where, const std::string& sentence);
 
 /// Throws InputError with placed(where, sentence).

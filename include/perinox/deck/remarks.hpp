@@ -7,10 +7,10 @@
 
 namespace perinox::deck {
 
-/// What a deck says that can be computed but is hardly meant, each in one sentence with its place: loads that are there
-/// in full from the first step on, a horizon of about one spacing.
+/// Remarks on what a deck says that can be computed but is hardly meant, each in one sentence with its place. Examples
+/// are loads that act in full from the first step on and a horizon of about one spacing.
 std::vector<std::string> remarks(const Deck& deck);
-/// Output fields that the deck asks for and that its runs do not have, each in one sentence with its place.
+/// Remarks on output fields that the deck asks for but its runs do not have, each in one sentence with its place.
 std::vector<std::string> remarks_on_fields(const Deck& deck, const Schema& schema);
 
 }  // namespace perinox::deck

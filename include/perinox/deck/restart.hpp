@@ -9,31 +9,34 @@ namespace perinox::deck {
 
 /// What a deck says about checkpoints and about stopping in time.
 struct Checkpoints {
-  std::optional<int> every = {};          ///< committed steps; 0: none; nothing: by the clock
-  double seconds = 5;                     ///< between two checkpoints at least, wall clock
-  std::optional<double> time_limit = {};  ///< of the run, wall-clock seconds
+  /// Committed steps between checkpoints; 0: no checkpoints; absent: by the clock.
+  std::optional<int> every = {};
+  double seconds = 5;                     ///< least time between two checkpoints, wall clock
+  std::optional<double> time_limit = {};  ///< time limit of the run, wall-clock seconds
 };
 Checkpoints checkpoints(const Deck& deck);
 
-/// What of a deck no checkpoint holds yet, "arc-length control"; "" if a run of it can go on from one.
+/// Names what a deck asks for and no checkpoint holds yet, such as "arc-length control". It is "" if a run of the deck
+/// can go on from a checkpoint.
 std::string not_in_checkpoints(const Deck& deck);
 
 /// A key whose value differs between two checked decks.
 struct ChangedKey {
   std::string path;           ///< "boundary[1].displacement.z"
-  std::string before, after;  ///< "nothing" where the key is not there
-  bool allowed = false;       ///< on a restart: see may_change()
+  std::string before, after;  ///< "nothing" if the key is not there
+  bool allowed = false;       ///< whether a restart may change it: see may_change()
 };
 
-/// Every difference, in the order of the keys. Numbers are compared as numbers, names of input files not at all: what
-/// the files hold is compared elsewhere.
+/// All differences between two decks, in the order of the keys. Numbers are compared as numbers. Names of input files
+/// are not compared, because the contents of the files are compared elsewhere.
 std::vector<ChangedKey> changed_keys(const Value& before, const Value& after);
 
-/// True for the keys that may change between a checkpoint and the run that goes on from it: they decide how steps are
-/// found, how many come and what is written, not which problem is solved.
+/// True for the keys that may change between a checkpoint and the run that goes on from it. They decide how steps are
+/// found, how many come and what is written, but not which problem is solved.
 bool may_change(const std::string& path);
 
-/// The sentence that refuses the changes that are not allowed, "" if all are. Also refuses a path that ends before t.
+/// The sentence that refuses the changes that are not allowed; "" if all are allowed. It also refuses a deck that ends
+/// before t.
 std::string refuse_changes(const std::vector<ChangedKey>& changes, const Deck& after, const std::string& checkpoint,
                            double t);
 

@@ -14,7 +14,8 @@ namespace perinox::equilibrium {
 class ArcLength : public StepControl {
  public:
   /// Throws InputError: nothing to follow, because nothing is free or no load changes with t. Collective.
-  ArcLength(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary, Newton& newton);
+  ArcLength(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary, Newton& newton,
+            mechanics::Evaluation& evaluation);
 
   bool finished() const override { return ended_ || steps_ >= settings_.max_steps; }
   std::string unreached() const override;

@@ -19,7 +19,7 @@ class BorderedNewton {
  public:
   /// system: shared with the other solver of the scene; everything is kept by reference.
   BorderedNewton(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary,
-                 linear::TangentSystem& system);
+                 linear::TangentSystem& system, mechanics::Evaluation& evaluation);
   ~BorderedNewton();
 
   /// b = du/dt along the path at the committed state; dt is 1. The linear iterations are counted in the result.

@@ -8,7 +8,7 @@
 #include "perinox/linear/failure.hpp"
 #include "perinox/linear/tangent_operators.hpp"
 #include "perinox/loads/boundary.hpp"
-#include "perinox/mechanics/internal_force.hpp"
+#include "perinox/mechanics/evaluation.hpp"
 
 namespace perinox::equilibrium {
 
@@ -34,7 +34,9 @@ struct NewtonResult {
 /// evaluation. Holds the tangent system across steps. Collective throughout.
 class Newton {
  public:
-  Newton(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary);
+  /// evaluation: of the scene. Everything else is kept by reference.
+  Newton(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary,
+         std::shared_ptr<mechanics::Evaluation> evaluation);
   ~Newton();
 
   /// Solves for equilibrium at load parameter t from the committed state. `step` only labels the records. On
@@ -78,6 +80,7 @@ class Newton {
   const deck::Deck& deck_;
   const mechanics::Scene& scene_;
   const loads::Boundary& boundary_;
+  std::shared_ptr<mechanics::Evaluation> evaluation_;
   bool careful_ = false;  ///< linear solves to a tighter tolerance
   bool in_vain_ = false;  ///< that has not helped either, at this step
   bool direct_ = false;   ///< in place of conjugate gradients

@@ -4,13 +4,14 @@
 
 #include "perinox/core/communicator.hpp"
 #include "perinox/core/types.hpp"
+#include "perinox/medium/displacement.hpp"
 
 namespace perinox::equilibrium {
 
 /// A point of the path of equilibria, or a step along it.
 struct PathPoint {
-  std::vector<double> displacement;  ///< [owned * dimension]
-  double t = 0;                      ///< load parameter
+  medium::Displacement displacement;  ///< [owned * dimension]
+  double t = 0;                       ///< load parameter
 };
 
 /// Length of a step along the path: that of its displacements, du.du/length^2 over all ranks. t does not count: its
@@ -70,9 +71,9 @@ class FixedMean : public PathConstraint {
             int dimension, int component, double target);
   /// Mean displacement of the set, length.
   double mean(const std::vector<double>& displacement) const;
-  double value(const PathPoint& at) const override { return mean(at.displacement) / target_ - 1; }
+  double value(const PathPoint& at) const override { return mean(at.displacement.values()) / target_ - 1; }
   double slope(const PathPoint&, const PathPoint& direction) const override {
-    return mean(direction.displacement) / target_;
+    return mean(direction.displacement.values()) / target_;
   }
   double tolerance() const override { return 1e-10; }
 

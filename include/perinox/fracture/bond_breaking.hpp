@@ -18,8 +18,10 @@ struct LoosePieces;
 /// answer to the last bit, as they see the same numbers in the same order.
 class BondBreaking {
  public:
-  /// Only for decks that break. Throws InputError. Collective.
-  BondBreaking(const deck::Deck& deck, mechanics::Scene& scene);
+  /// Only for decks that break. evaluation: of the scene, shared with whoever asks for its internal force; null: its
+  /// own. Throws InputError. Collective.
+  BondBreaking(const deck::Deck& deck, mechanics::Scene& scene,
+               std::shared_ptr<mechanics::Evaluation> evaluation = nullptr);
 
   struct Result {
     long long critical = 0;  ///< bonds at or above their limit
@@ -29,7 +31,8 @@ class BondBreaking {
   /// Breaks the worst of the critical bonds of a state, `most` of them over all ranks or as many as equal the worst to
   /// `tie`; where `most` is 0 none, but counts them. Collective.
   Result break_worst(const mechanics::Committed& state, long long most);
-  /// Breaks all critical bonds of a motion right after a time step of it; how many over all ranks. Collective.
+  /// Breaks all critical bonds of a motion right after a time step of it, and tells the motion. Returns how many over
+  /// all ranks. Collective.
   long long break_all(MovingState& motion);
 
   /// Bonds over all ranks before any broke.
@@ -66,6 +69,7 @@ class BondBreaking {
   double energy(LocalIndex lower, LocalIndex upper, double length, double weight, double extension) const;
 
   mechanics::Scene& scene_;
+  std::shared_ptr<mechanics::Evaluation> evaluation_;
   std::vector<BondLimit> limits_;
   std::vector<char> unbreakable_;  ///< [local]
   long long bonds_ = 0, broken_ = 0;

@@ -7,46 +7,51 @@
 
 namespace perinox::grid {
 
-/// Part of a grid cell filled by particles of one piece of the body on this rank.
+/// The part of one grid cell that particles of one piece of the body fill on this rank (see NodeCopies for pieces).
 struct GridElement {
-  std::array<LocalIndex, 8> node;  ///< local coarse nodes; bit a of the corner's number: upper end on axis a; 2-D: 4
-  std::array<double, 3> corner;    ///< lower corner, length
-  LocalIndex begin, end;           ///< its particles in BackgroundGrid's order
+  /// Indices into node_ids(); bit a of a corner's number: upper end on axis a; 2-D: 4 used.
+  std::array<LocalIndex, 8> node;
+  std::array<double, 3> corner;  ///< lower corner of the cell, length
+  LocalIndex begin, end;         ///< range of its particles in BackgroundGrid's order
 };
 
-/// The coarse space: d-linear functions on the background grid's cells that hold particles, one copy of a node for each
-/// part of the body it must not tie together (NodeCopies). P interpolates from the nodes to the particles, and is
-/// zero on prescribed unknowns; a rank holds the nodes its own particles need.
+/// The space of functions that are d-linear on the cells of a background grid and continuous across them. Only cells
+/// that hold particles take part. A node is copied where the body is parted, so that no function ties the parts
+/// together (NodeCopies). The interpolation P takes nodal values to the particles and gives zero on prescribed
+/// unknowns. A rank holds the nodes that its own particles need. The coarse level of the preconditioner uses this space
+/// today; other discretisations may use it too.
 class BackgroundGrid {
  public:
-  /// damage: [owned] broken share of each family, where nodes may have to be copied. spacing: edge of the cells,
-  /// length. Keeps references to the body and to prescribed [at least owned * dimension]. Collective.
+  /// Lays the grid around the body. prescribed: [at least owned * dimension] 1 where an unknown is prescribed. damage:
+  /// [owned] broken share of each family, which tells where nodes may have to be copied. spacing: wanted edge of the
+  /// cells, a length. Keeps references to the body and to `prescribed`. Collective.
   BackgroundGrid(const body::Body& body, const std::vector<char>& prescribed, const std::vector<double>& damage,
                  const bonds::BondGraph& graph, double spacing);
 
   int dimension() const { return cells_.dimension(); }
   const Cells& cells() const { return cells_; }
   const std::vector<GridElement>& elements() const { return elements_; }
-  /// Particle k of the elements' order.
+  /// Local index of particle k in the order of the elements.
   LocalIndex particle(LocalIndex k) const { return order_[k]; }
-  /// Ids of this rank's coarse nodes, ascending; the same node has the same id on every rank.
+  /// Ids of this rank's nodes, ascending. A node has the same id on every rank.
   const std::vector<GlobalId>& node_ids() const { return node_ids_; }
-  /// Positions of them. [nodes * dimension], length
+  /// Reference positions of these nodes. [nodes * dimension], length
   const std::vector<double>& node_positions() const { return node_positions_; }
   std::size_t unknowns() const { return node_ids_.size() * static_cast<std::size_t>(dimension()); }
-  /// Values at x of an element's functions, in the order of its nodes.
+  /// Values at the point x [dimension] of an element's functions, in the order of its nodes. values: [4 in 2-D, 8 in
+  /// 3-D]
   void shape_values(const GridElement& element, const double* x, double* values) const;
 
-  /// coarse = P^T r, this rank's share: [unknowns()]; r: [owned * dimension].
+  /// Computes this rank's share of nodal = P^T r. r: [owned * dimension]; coarse (the nodal values): [unknowns()].
   void restrict_to_nodes(const double* r, double* coarse) const;
-  /// z += P coarse. coarse: [unknowns()]; z: [owned * dimension].
+  /// Adds P applied to nodal values to z. coarse (the nodal values): [unknowns()]; z: [owned * dimension].
   void add_interpolated(const double* coarse, double* z) const;
 
   std::size_t bytes() const;
 
  private:
   void clear_monomials() const;
-  double* monomials() const;  ///< [elements][corners][4, in 2-D 2] of the function at hand
+  double* monomials() const;  ///< [elements][corners][4, in 2-D 2] monomials of the function at hand
 
   const body::Body& body_;
   const std::vector<char>& prescribed_;
@@ -54,7 +59,7 @@ class BackgroundGrid {
   std::vector<GridElement> elements_;
   std::vector<LocalIndex> order_;          ///< [owned] particles by element
   std::vector<LocalIndex> element_;        ///< [owned] element of each particle
-  mutable std::vector<double> monomials_;  ///< the room for them
+  mutable std::vector<double> monomials_;  ///< memory that monomials() points into
   std::vector<GlobalId> node_ids_;
   std::vector<double> node_positions_;
 };

@@ -7,7 +7,7 @@
 
 namespace perinox::grid {
 
-/// Sets of equals over 0..n-1; the root of a set is its smallest member.
+/// A partition of the numbers 0..n-1 into disjoint sets (union-find). The root of a set is its smallest member.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }

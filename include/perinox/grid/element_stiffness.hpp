@@ -4,16 +4,18 @@
 
 namespace perinox::grid {
 
-/// The integrals of kappa s_x^i s_y^j s_z^k and of mu times the same, i, j, k <= 2, over the particles of a cell in its
-/// own coordinates (0 to 1 on each axis). Each particle stands for a cube of its volume around it.
+/// Moments of the moduli over the particles of one cell: the integrals of kappa s_x^i s_y^j s_z^k, and of mu times the
+/// same monomial, for i, j, k <= 2. The coordinates s run from 0 to 1 over the cell on each axis. Each particle stands
+/// for a cube of its volume around it.
 template <int d>
 class CellMoments {
  public:
   static constexpr int powers = d == 3 ? 27 : 9;
-  typedef double Pair __attribute__((vector_size(16)));  ///< of kappa and of mu, in one register
+  typedef double Pair __attribute__((vector_size(16)));  ///< one moment of kappa and of mu, in one register
 
   void clear() { sums_.fill(Pair{0, 0}); }
-  /// s: the particle's place; edge: of its cube; both over the cell's size on each axis. bulk, shear: times its volume.
+  /// Adds one particle. s: its place; edge: the edge of its cube; both over the cell's size on each axis. bulk and
+  /// shear are its moduli times its volume.
   void add(const std::array<double, d>& s, const std::array<double, d>& edge, double bulk, double shear) {
     std::array<std::array<double, 3>, 3> power{{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}}};
     for (int a = 0; a < d; ++a) power[a] = {1, s[a], s[a] * s[a] + edge[a] * edge[a] / 12};
@@ -31,17 +33,18 @@ class CellMoments {
   std::array<Pair, powers> sums_{};
 };
 
-/// The stiffness of a d-linear element under given moments of its moduli,
+/// The stiffness matrix of a d-linear element whose moduli have given moments,
 ///     int kappa div u div v + 2 mu dev e(u) : dev e(v).
-/// Products of two slopes are contracted with the moments axis by axis, all that share the first axes at once.
+/// The product of two slopes is contracted with the moments axis by axis, so that all entries that share the first axes
+/// share that work.
 template <int d>
 class ElementStiffness {
  public:
   static constexpr int corners = 1 << d;
-  /// [A][B][p][q]: between corner A along axis p and corner B along axis q.
+  /// [A][B][p][q]: the entry between corner A along axis p and corner B along axis q.
   using Blocks = std::array<std::array<std::array<std::array<double, d>, d>, corners>, corners>;
 
-  /// size: of the cell.
+  /// size: edges of the cell, length.
   explicit ElementStiffness(const std::array<double, 3>& size) {
     for (int a = 0; a < d; ++a)
       for (int slopes = 0; slopes < 4; ++slopes)
@@ -68,14 +71,14 @@ class ElementStiffness {
  private:
   using Pair = typename CellMoments<d>::Pair;
 
-  /// Coefficients of 1 and s; high: the function that is 1 at s = 1.
+  /// Coefficients of 1 and s of a linear function on 0..1, or of its slope. high: the function is 1 at s = 1.
   static std::array<double, 2> function(int slope, int high, double size) {
     if (slope) return {high ? 1 / size : -1 / size, 0};
     return high ? std::array<double, 2>{0, 1} : std::array<double, 2>{1, -1};
   }
 
-  /// moments: of the axes from `axis` on. p, q: the axes of the slopes among those before, d where not yet.
-  /// corner_bits: two bits for each of the axes before.
+  /// moments: what is left of the moments for the axes from `axis` on. p, q: the earlier axis along which the slope of
+  /// A, or of B, was taken, and d while there is none. corner_bits: two bits (A and B) for each earlier axis.
   template <int axis>
   void contract(const Pair* moments, int corner_bits, int p, int q) {
     if constexpr (axis == d) {

@@ -6,20 +6,21 @@
 
 namespace perinox::grid {
 
-/// Nodes that several ranks hold, each with its share of what belongs to them.
+/// The nodes that several ranks hold. Each rank has its share of the values that belong to such a node.
 class SharedNodes {
  public:
-  /// ids: of this rank's nodes, ascending; the same node has the same id on every rank. Collective.
+  /// ids: this rank's nodes, ascending. A node has the same id on every rank. Collective.
   SharedNodes(const Communicator& ranks, const std::vector<GlobalId>& ids);
 
-  /// Distinct nodes over all ranks.
+  /// Number of distinct nodes over all ranks.
   long long total() const { return total_; }
   /// [nodes] 1 on the lowest of the ranks that hold a node, 0 on the others.
   const std::vector<char>& counted() const { return counted_; }
 
-  /// Every rank's shares become their sum, added up in the order of the ranks. [nodes * width] Collective.
+  /// Replaces every rank's share by the sum of all shares. They are added up in the order of the ranks, so that the
+  /// result is the same on all ranks to the last bit. values: [nodes * width]. Collective.
   void sum(double* values, int width) const { exchange(values, width, MPI_DOUBLE, Sum()); }
-  /// The lowest of the ranks' values. Collective.
+  /// Replaces every rank's value by the lowest of all. values: [nodes * width]. Collective.
   void lowest(long long* values, int width) const { exchange(values, width, MPI_LONG_LONG, Lowest()); }
 
  private:
@@ -37,7 +38,7 @@ class SharedNodes {
   };
   struct Neighbor {
     int rank;
-    std::vector<LocalIndex> nodes;  ///< held by both, in the order of their ids
+    std::vector<LocalIndex> nodes;  ///< nodes that both ranks hold, in the order of their ids
   };
   template <class Number, class Combine>
   void exchange(Number* values, int width, MPI_Datatype type, const Combine& combine) const;
@@ -45,8 +46,8 @@ class SharedNodes {
   MPI_Comm comm_;
   int rank_;
   long long total_ = 0;
-  std::vector<Neighbor> neighbors_;  ///< ascending
-  std::vector<LocalIndex> shared_;   ///< nodes that a neighbour holds too
+  std::vector<Neighbor> neighbors_;  ///< in ascending order of rank
+  std::vector<LocalIndex> shared_;   ///< nodes that at least one neighbour holds too
   std::vector<char> counted_;
 };
 

@@ -1,20 +1,14 @@
 #pragma once
-/// Belos through Thyra. A heavy header.
-#include <Thyra_LinearOpWithSolveFactoryBase.hpp>
-#include <Thyra_PreconditionerBase.hpp>
-#include <exception>
+#include <memory>
 #include <string>
+#include <vector>
 
-#include "perinox/core/tpetra.hpp"
 #include "perinox/deck/deck.hpp"
 #include "perinox/linear/failure.hpp"
 
 namespace perinox::linear {
 
-using LinearSolverFactory = Thyra::LinearOpWithSolveFactoryBase<double>;
-
-/// Belos' conjugate gradients where the operator is symmetric (or the deck asks for them), its GMRES otherwise.
-Teuchos::RCP<LinearSolverFactory> belos_factory(const deck::Linear& linear, bool symmetric);
+class TangentSystem;
 
 struct LinearOutcome {
   bool converged = false;
@@ -23,15 +17,26 @@ struct LinearOutcome {
   std::string reason;  ///< a sentence, where not converged
 };
 
-/// What Trilinos threw; other, where it is nothing that is known here.
-Failure failure_of(const std::exception& failure);
-/// One sentence for what Trilinos threw: its own text runs over several lines and names its source files.
-std::string sentence_of(const std::exception& failure);
+/// Belos' conjugate gradients where the operator is symmetric (or the deck asks for them), its GMRES otherwise, through
+/// Thyra.
+class LinearSolver {
+ public:
+  LinearSolver(const deck::Linear& linear, bool symmetric);
+  ~LinearSolver();
 
-/// Solves A left = right to `tolerance` relative to |right|; preconditioner may be null. Collective.
-LinearOutcome solve_linear(const LinearSolverFactory& factory, const Teuchos::RCP<const Thyra::LinearOpBase<double>>& a,
-                           const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& preconditioner,
-                           double tolerance, const Teuchos::RCP<tpetra::Vector>& right,
-                           const Teuchos::RCP<tpetra::Vector>& left);
+  /// Solves the system's operator times left = right, to `tolerance` relative to |right|, with the system's
+  /// preconditioner. right, left: [owned unknowns]; left is overwritten, with the last iterate where the solve has not
+  /// converged. Collective.
+  LinearOutcome solve(const TangentSystem& system, const std::vector<double>& right, double tolerance,
+                      std::vector<double>& left) const;
+
+ private:
+  struct Factory;
+  std::unique_ptr<Factory> factory_;
+};
+
+/// What Trilinos threw in a linear solve or a factorisation, with one sentence that says so: its own text runs over
+/// several lines and names its source files.
+LinearOutcome outcome_of(const std::exception& failure);
 
 }  // namespace perinox::linear

@@ -20,12 +20,14 @@ class TwoLevel;
 /// place.
 class TangentSystem {
  public:
-  /// prescribed: [local * dimension], ghosts up to date. Collective.
-  TangentSystem(const mechanics::Scene& scene, const std::vector<char>& prescribed, const deck::Solver& solver);
+  /// prescribed: [local * dimension], ghosts up to date. evaluation: of the scene, shared with whoever asks for the
+  /// internal force. Collective.
+  TangentSystem(const mechanics::Scene& scene, const std::vector<char>& prescribed, const deck::Solver& solver,
+                std::shared_ptr<mechanics::Evaluation> evaluation);
   ~TangentSystem();
 
-  /// Linearises at displacement [owned * dimension]. Collective.
-  void update(const mechanics::Committed& committed, const double* displacement);
+  /// Linearises at a displacement [owned * dimension]. Collective.
+  void update(const mechanics::Committed& committed, const medium::At& at);
   /// Brings the preconditioner to the tangent of the last update(). The coarse part of two-level is made at the first
   /// call and kept. Collective.
   void update_preconditioner();

@@ -1,7 +1,8 @@
 #pragma once
+#include <optional>
 #include <vector>
 
-#include "perinox/mechanics/state.hpp"
+#include "perinox/mechanics/evaluation.hpp"
 
 namespace perinox::mechanics {
 
@@ -12,13 +13,13 @@ namespace perinox::mechanics {
 class PathWork {
  public:
   /// Before the trial is committed. Collective.
-  PathWork(const Scene& scene, const Committed& committed, const Trial& trial);
+  PathWork(Evaluation& evaluation, const Committed& committed, const Trial& trial);
   /// This rank's share. committed: the same after advancing with that trial. Collective.
-  double beyond_chord(const Scene& scene, const Committed& committed) const;
+  double beyond_chord(Evaluation& evaluation, const Committed& committed) const;
 
  private:
   double work_ = 0;
-  std::vector<double> start_;  ///< displacement before a step in which something flows; else empty
+  std::optional<medium::Displacement> start_;  ///< before a step in which something flows
 };
 
 }  // namespace perinox::mechanics

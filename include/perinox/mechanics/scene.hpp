@@ -14,7 +14,6 @@
 
 namespace perinox::mechanics {
 
-class Evaluation;
 class PlasticExtension;
 
 /// How the bonds are stored: as a stencil where the body is a lattice, or always as pairs (for comparison).
@@ -43,15 +42,15 @@ class Scene {
   /// Every bond in plain arrays, made at the first call: 28 bytes a directed bond.
   const bonds::Bonds& bonds() const;
 
-  /// Breaks bonds, each with an end of this rank's; the rank of the other end is told the same by the caller. m and the
-  /// fit of the strain stay those of the family before: a broken bond counts as one without elastic extension, so that
-  /// its stiffness is gone and the energy stays one energy (formulation 3). plastic: of the state in which they break;
+  /// Breaks bonds, each with an end of this rank's. Called on all ranks, which tell the same of bonds between them, with
+  /// an empty list where none is this rank's. m and the fit of the strain stay those of the family before, so that its
+  /// stiffness is gone and the energy stays one energy (docs/fracture.md). plastic: of the state in which they break;
   /// null: none of them has flowed. Throws std::logic_error for a bond that is not there, and where the loops over
   /// stored bonds are taken.
   void break_bonds(const std::vector<BondEnds>& ends, const PlasticExtension* plastic = nullptr);
   /// In place of what break_bonds has noted: Families::broken_extension of another run's same bonds.
   void set_broken_extension(std::vector<bonds::BrokenExtension> extension);
-  /// Changes with every break_bonds.
+  /// Changes with every break_bonds, alike on all ranks.
   std::uint64_t bonds_version() const { return bonds_version_; }
   /// Ids of the ends of the bonds broken so far, the smaller first, in the order of breaking; of those whose smaller id
   /// this rank owns.
@@ -90,10 +89,6 @@ class Scene {
   /// Names of all point history variables of all materials, each once.
   std::vector<std::string> point_history_names() const;
 
-  /// The last evaluation of the strains, shared by the internal force and the tangent. A workspace: no part of the
-  /// model.
-  Evaluation& evaluation() const;
-
  private:
   void complete();
   void drop_fits();
@@ -115,7 +110,6 @@ class Scene {
   std::uint64_t bonds_version_ = 0;
   mutable std::unique_ptr<bonds::Bonds> bonds_;
   mutable std::vector<double> basis_;  ///< [bonds * mandel_size] xi N; made with the first family that needs it
-  mutable std::unique_ptr<Evaluation> evaluation_;
 };
 
 /// Particles, bonds and materials of a deck. Collective; throws InputError. report may be null.

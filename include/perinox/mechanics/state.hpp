@@ -6,15 +6,18 @@
 #include "perinox/core/saved_state.hpp"
 #include "perinox/mechanics/plastic_extension.hpp"
 #include "perinox/mechanics/scene.hpp"
+#include "perinox/medium/displacement.hpp"
 
 namespace perinox::mechanics {
 
 class Committed;
+class Evaluation;
 
 /// A state under trial: what one evaluation of the internal force leaves behind. Worthless until committed.
 struct Trial {
   double t = 0;
   std::vector<double> displacement;  ///< [local * dimension], ghosts up to date
+  std::uint64_t version = 0;         ///< of the displacement, where the internal force was asked for one with a number
   std::vector<double> point_history;
   std::vector<double> bond_history;   ///< only where the scene is not made of sums
   std::vector<double> flow;           ///< [owned] share of the elastic part that flows; empty: no plastic material
@@ -26,6 +29,10 @@ struct Trial {
   double dissipated = 0;              ///< energy this rank's particles dissipate in the step
   long long yielding = 0;             ///< this rank's particles that flow in the step
 
+  /// The displacement with its number, if it has one.
+  medium::At at() const {
+    return version == 0 ? medium::At(displacement.data()) : medium::At(displacement.data(), version);
+  }
   /// Sizes the arrays but those of displacement and bonds, and sets the sums to zero.
   void prepare(const Scene& scene, const Committed& committed);
 };
@@ -39,13 +46,14 @@ class Committed {
   Committed(Committed&&) = default;
   Committed& operator=(Committed&&) = default;
 
-  /// The trial, evaluated from this state, becomes the truth. Plastic extension grows in place.
-  void advance(const Scene& scene, Trial&& trial);
+  /// The trial, evaluated from this state, becomes the committed state. Plastic extension grows in place, by a sweep of
+  /// the evaluation's loops.
+  void advance(Evaluation& evaluation, Trial&& trial);
 
   /// Everything this state holds, and the way back: the same numbers in the same places on as many ranks. Collective.
   /// restore() throws InputError if the saved state is of another body.
   void save(const Scene& scene, StateWriter& writer) const;
-  void restore(const Scene& scene, StateReader& reader);
+  void restore(Evaluation& evaluation, StateReader& reader);
 
   double t() const { return t_; }
   const std::vector<double>& displacement() const { return displacement_; }
@@ -57,6 +65,8 @@ class Committed {
   bonds::BrokenElastic broken_elastic(const Scene& scene, LocalIndex i) const;
   /// [owned] dilatation/d; what strains are measured from, so that little cancels.
   const std::vector<double>& mean() const { return mean_; }
+  /// The displacement's owned unknowns with the number of this state.
+  medium::At at() const { return {displacement_.data(), version_}; }
   /// Differs between any two states.
   std::uint64_t version() const { return version_; }
 
@@ -68,7 +78,6 @@ class Committed {
   }
 
  private:
-  static std::uint64_t new_version();
   void flow_of_broken(const Scene& scene, const Trial& trial);
 
   double t_ = 0;

@@ -14,7 +14,7 @@ class StoredTangent : public Tangent {
  public:
   explicit StoredTangent(const Scene& scene);
 
-  bool linearise(const Committed& committed, const double* displacement, deck::TangentForm form) override;
+  bool linearise(const Committed& committed, const medium::At& at, deck::TangentForm form) override;
   void apply(const double* x, double* y) const override;
   void diagonal_blocks(double* blocks, double dilatation = 1) const override;
   std::size_t bytes() const override;

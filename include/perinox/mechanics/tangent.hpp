@@ -13,9 +13,9 @@ class Tangent {
   explicit Tangent(const Scene& scene) : scene_(scene) {}
   virtual ~Tangent() = default;
 
-  /// Linearises at `displacement` [owned * dimension] from the committed state. False if this is known to be
+  /// Linearises at a displacement [owned * dimension] as seen from the committed state. False if this is known to be
   /// the tangent of the last call, as for an elastic body of bonds that keep their direction. Collective.
-  virtual bool linearise(const Committed& committed, const double* displacement, deck::TangentForm form) = 0;
+  virtual bool linearise(const Committed& committed, const medium::At& at, deck::TangentForm form) = 0;
   /// y = K x for owned unknowns; x, y: [owned * dimension]. Collective.
   virtual void apply(const double* x, double* y) const = 0;
   /// The dimension x dimension diagonal block of every owned particle, row-major: [owned * dimension^2]. The stiffness
@@ -35,6 +35,8 @@ class Tangent {
 
 /// The tangent for the matrix-free product where there is one (the consistent form, materials made of sums), else the
 /// stored one.
-std::unique_ptr<Tangent> make_tangent(const Scene& scene, deck::TangentForm form);
+/// evaluation: of the scene, shared with whoever asks for the internal force at the same states; null: its own.
+std::unique_ptr<Tangent> make_tangent(const Scene& scene, deck::TangentForm form,
+                                      std::shared_ptr<Evaluation> evaluation = nullptr);
 
 }  // namespace perinox::mechanics

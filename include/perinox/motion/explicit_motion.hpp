@@ -6,6 +6,7 @@
 #include "perinox/deck/deck.hpp"
 #include "perinox/fracture/moving_state.hpp"
 #include "perinox/loads/boundary.hpp"
+#include "perinox/mechanics/internal_force.hpp"
 #include "perinox/mechanics/state.hpp"
 #include "perinox/motion/contact.hpp"
 
@@ -49,8 +50,10 @@ class ExplicitMotion : public fracture::MovingState {
     double safety = 0.8;                   ///< of stable_time_step
   };
   /// Begins at the state and the load parameter of `start`, at rest. masses: [owned].
+  /// evaluation: of the scene, shared with whoever takes over from the motion; null: its own.
   ExplicitMotion(const mechanics::Scene& scene, const loads::Boundary& boundary, std::vector<double> masses,
-                 mechanics::Committed start, const Settings& settings);
+                 mechanics::Committed start, const Settings& settings,
+                 std::shared_ptr<mechanics::Evaluation> evaluation = nullptr);
 
   /// Velocities at the beginning; before the first step. A later entry wins, and a prescribed motion over all of them.
   void set_velocity(const std::vector<deck::InitialVelocity>& entries);
@@ -76,13 +79,13 @@ class ExplicitMotion : public fracture::MovingState {
   void step(double dt);
   /// Finds the forces and accelerations that the first time step, of the length dt, goes from. step() does so itself.
   void begin(double dt);
-  /// To be called after bonds of the scene have broken between two time steps: evaluates forces and contacts anew at
-  /// the present state. The energy that went with the bonds, all ranks; it counts as released from here on.
-  double bonds_have_broken();
+  /// To be called after bonds of the scene have broken between two time steps. Evaluates forces and contacts anew at
+  /// the present state; the energy that went with the bonds counts as released from here on.
+  void bonds_have_broken() override;
 
   /// To be called after the boundary has let particles go: they stop where they are, and their kinetic and stored
   /// energy counts as damped.
-  void supports_have_changed();
+  void supports_have_changed() override;
   /// From here on the load parameter goes from `t` at `rate`.
   void go_on_at(double t, double rate);
 
@@ -112,6 +115,7 @@ class ExplicitMotion : public fracture::MovingState {
   const std::vector<double>& dilatation() const { return trial_.dilatation; }        ///< [owned]
   const std::vector<double>& stored_energy() const { return trial_.stored_energy; }  ///< [owned] a volume
   const std::vector<double>& displacement() const override { return trial_.displacement; }
+  void force_states(double* points) const override { mechanics::held_force_states(*evaluation_, points); }
   const mechanics::Trial& trial() const { return trial_; }
   const std::vector<double>& masses() const { return masses_; }  ///< [owned]
   const Contact* contact() const { return contact_.get(); }
@@ -128,6 +132,7 @@ class ExplicitMotion : public fracture::MovingState {
 
   const mechanics::Scene& scene_;
   const loads::Boundary& boundary_;
+  std::shared_ptr<mechanics::Evaluation> evaluation_;
   Settings settings_;
   double start_ = 0, since_ = 0;  ///< t at a time
   bool history_ = false;          ///< some material has one: every time step is committed

@@ -26,6 +26,7 @@ std::optional<double> eigenvalue_bound(const mechanics::Scene& scene, const std:
 /// has yielded unloads), 1/time^2: the largest Ritz value and its residual, which is at most a hundredth of it after
 /// some 20 products, on top. prescribed: [at least owned * dimension], held. 0 where nothing is free. Collective.
 double largest_eigenvalue(const mechanics::Scene& scene, const mechanics::Committed& committed,
-                          const std::vector<double>& masses, const std::vector<char>& prescribed);
+                          const std::vector<double>& masses, const std::vector<char>& prescribed,
+                          std::shared_ptr<mechanics::Evaluation> evaluation = nullptr);
 
 }  // namespace perinox::motion

@@ -5,8 +5,8 @@
 
 namespace perinox::output {
 
-/// The seconds of a run, section by section, with their share of the wall time and how often each was entered, the
-/// longest first; sections never entered are left out. Lines that end in a newline.
+/// A table of the seconds of a run, section by section, with their share of the wall time and how often each was
+/// entered. The longest section comes first; sections never entered are left out. Every line ends in a newline.
 std::string profile_table(const ProfileReading& reading);
 
 }  // namespace perinox::output

@@ -5,7 +5,7 @@
 
 namespace perinox::output {
 
-/// Reads results.h5 in one process, without MPI. Rows are in the order of the particles' ids. Whatever fails throws
+/// Reads results.h5 in one process, without MPI. Rows are in the order of the particles' ids. Any failure throws
 /// RunError with the file's path and the reason.
 class ResultsReader {
  public:
@@ -26,22 +26,23 @@ class ResultsReader {
   ResultsReader& operator=(const ResultsReader&) = delete;
 
   std::size_t particles() const { return particles_; }
-  /// Unknowns a particle: 3 or 2.
+  /// Number of unknowns of a particle: 3 or 2.
   int dimension() const;
   /// Positions before loading. [particles * 3], length
   std::vector<double> reference() const { return read("/particles/reference", 3); }
-  /// [particles], length^dimension
+  /// Volumes. [particles], length^dimension
   std::vector<double> volume() const { return read("/particles/volume", 1); }
-  /// In the order of their numbers.
+  /// Steps in the order of their numbers.
   std::vector<Step> steps() const;
   /// Phases in time of a run that lost its equilibrium, in the order of their numbers.
   std::vector<Phase> phases() const;
+  /// True if the file holds a group or dataset of this name.
   bool has(const std::string& object) const;
   /// Names of the fields of a step.
   std::vector<std::string> fields(int step) const;
-  /// 3 of a vector, 1 of a scalar, 0 if the step holds no such field.
+  /// Number of columns of a field: 3 for a vector, 1 for a scalar, 0 if the step holds no such field.
   int columns(int step, const std::string& field) const;
-  /// [particles * columns]
+  /// Values of a field. [particles * columns]
   std::vector<double> field(int step, const std::string& field) const;
 
  private:

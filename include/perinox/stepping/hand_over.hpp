@@ -24,7 +24,7 @@ class HandOver {
  public:
   /// passage: time in which a load step is made up for, passage_time() of the scene before any bond broke.
   HandOver(const deck::Deck& deck, mechanics::Scene& scene, loads::Boundary& boundary, fracture::BondBreaking* breaking,
-           double passage);
+           double passage, std::shared_ptr<mechanics::Evaluation> evaluation);
 
   struct Result {
     bool at_rest = false;
@@ -56,7 +56,6 @@ class HandOver {
   void make_motion(mechanics::Committed&& state, double rate);
   /// One time step, and the bonds that break after it.
   void advance(double dt);
-  long long break_bonds();
   bool let_loose_go(Observer& observer);
 
   const deck::Deck& deck_;
@@ -64,6 +63,7 @@ class HandOver {
   loads::Boundary& boundary_;
   fracture::BondBreaking* breaking_;
   double passage_;
+  std::shared_ptr<mechanics::Evaluation> evaluation_;
   std::unique_ptr<motion::ExplicitMotion> motion_;
   double to_ = 0;  ///< load parameter
   double last_break_ = 0, most_stored_ = 0;

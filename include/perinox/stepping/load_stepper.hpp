@@ -13,30 +13,12 @@
 #include "perinox/fracture/bond_breaking.hpp"
 #include "perinox/loads/boundary.hpp"
 #include "perinox/mechanics/state.hpp"
+#include "perinox/stepping/energies.hpp"
 #include "perinox/stepping/hand_over.hpp"
 #include "perinox/stepping/step_records.hpp"
 #include "perinox/stepping/validity.hpp"
 
 namespace perinox::stepping {
-
-/// Work and energy since t = 0, over all ranks.
-struct Energies {
-  double stored = 0;  ///< in what is held: not in pieces taken out as loose
-  double dissipated = 0;
-  /// Of the reactions and the external forces, trapezoidal over each step; where something flows in a load step, the
-  /// work of the path that return mapping takes (docs/theory.md, section 4).
-  double external_work = 0;
-  double released = 0;  ///< stored energy that went with breaking bonds, the deformation held
-  double relaxed = 0;   ///< lost on the way down to the next equilibrium, or stored in what came loose
-  double damped = 0;    ///< while the run went on in time, the kinetic energy left at its end included
-  /// The largest of stored, dissipated and external work at any step so far, and at least that of energy_scale.hpp.
-  double scale = 0;
-
-  /// External work that is nowhere, over the scale.
-  double unaccounted() const {
-    return scale > 0 ? (external_work - stored - dissipated - released - relaxed - damped) / scale : 0;
-  }
-};
 
 /// Drives a scene from t = 0 to its end, in load steps or along an arc (step_control.hpp). The only place where a trial
 /// state becomes the committed one: after convergence. A failed step is halved, and grown again after a success.
@@ -90,8 +72,8 @@ class LoadStepper {
   /// Energy that the given loads, held as they were, do over a step of load control whose supports do not move beyond
   /// what the body has taken up: above 0 it would go there by itself, so that it snaps. Collective.
   double set_free(const mechanics::Trial& trial) const;
-  /// written: the fields that cost something are made too.
   void raise_energy_scale();
+  /// written: the fields that cost something are made too.
   StepRecord record(const equilibrium::NewtonResult& result, bool written);
   struct Loss {
     LostEquilibrium cause = LostEquilibrium::no;
@@ -100,8 +82,6 @@ class LoadStepper {
   /// Passes of bond breaking at the committed state's load, until no bond is critical or the equilibrium is lost; every
   /// pass before is committed.
   Loss break_bonds(Observer& observer, equilibrium::NewtonResult& total);
-  /// Takes what no support holds any more out of the unknowns; true if there was anything.
-  bool let_loose_go(Observer& observer);
   /// Tells the observer and throws RunError with the reason.
   [[noreturn]] void lost_equilibrium(Observer& observer, const std::string& reason,
                                      const equilibrium::NewtonResult& result);
@@ -129,6 +109,7 @@ class LoadStepper {
   const deck::Deck& deck_;
   mechanics::Scene& scene_;
   loads::Boundary boundary_;
+  std::shared_ptr<mechanics::Evaluation> evaluation_;  ///< of the scene: the last one asked for
   equilibrium::Newton newton_;
   std::unique_ptr<fracture::BondBreaking> breaking_;  ///< where bonds can break
   std::unique_ptr<equilibrium::StepControl> control_;
