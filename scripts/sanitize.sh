@@ -7,7 +7,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 
-every=(stepping mechanics motion fracture mpi equilibrium loads linear study output materials grid fuzz bonds body deck core) # the longest first
+every=(stepping mechanics motion fracture mpi equilibrium loads linear study output materials grid medium fuzz bonds body deck core) # the longest first
 
 tests=("$@")
 [ $# -gt 0 ] || tests=("${every[@]}")
