@@ -75,9 +75,11 @@ std::vector<Variant> variants_of(const Calm& base, const std::string& folder) {
     if (const auto variant = permuted(base.deck, lot, prefix)) all.push_back(*variant);
   if (const auto variant = reordered(base.deck)) all.push_back(*variant);
   const auto names = [&](const char* shape) { return base.deck.yaml.find(shape) != std::string::npos; };
-  for (Variant& variant : all)
+  for (Variant& variant : all) {
     if (variant.kind == "axes exchanged" && (names("sphere:") || names("cylinder:") || names("plate_with_hole:")))
       variant.kind += ", round bodies";
+    if (variant.kind == "moved by 1e5 body lengths" && names("contact:")) variant.kind += ", contact";
+  }
   return all;
 }
 
