@@ -37,15 +37,20 @@ double count_of(double span, double longest) { return std::max(1.0, std::ceil(sp
 }  // namespace
 
 TimeStepper::TimeStepper(const deck::Deck& deck, mechanics::Scene& scene)
-    : deck_(deck), scene_(scene), boundary_(deck, scene), records_(deck, scene), validity_(deck, scene) {
+    : deck_(deck),
+      scene_(scene),
+      boundary_(deck, scene),
+      evaluation_(std::make_shared<mechanics::Evaluation>(scene)),
+      records_(deck, scene),
+      validity_(deck, scene) {
   make_motion();
-  if (deck.breaks()) breaking_ = std::make_unique<fracture::BondBreaking>(deck, scene);
+  if (deck.breaks()) breaking_ = std::make_unique<fracture::BondBreaking>(deck, scene, evaluation_);
   motion_->set_velocity(deck.initial_velocity);
 }
 
 void TimeStepper::make_motion() {
   motion_.emplace(scene_, boundary_, motion::particle_masses(deck_, scene_), mechanics::Committed(scene_),
-                  settings_of(deck_, scene_));
+                  settings_of(deck_, scene_), evaluation_);
 }
 
 double TimeStepper::time_step() {

@@ -25,7 +25,8 @@ const std::map<std::string, double> bounds{
     {"ranks: 4", 1e-11},  // 2e-13
     // The rounding of 1e5 times 250 spacings, over small strains: 1.7e-8.
     {"moved by 1e5 body lengths", 1e-7},
-    // 1.8e-7: a gap between bodies that is wrong by 1e-9, as the move makes it, changes what follows an impact by 1.1e-7.
+    // 1.8e-7: a gap between bodies that is wrong by 1e-9, as the move makes it, changes what follows an impact
+    // by 1.1e-7.
     {"moved by 1e5 body lengths, contact", 1e-6},
     {"mirrored", 1e-11},                           // 8e-13
     {"axes exchanged", 1e-11},                     // 4e-13

@@ -9,8 +9,8 @@ enum class Failure {
   linear_iterations,   ///< a linear solve did not reach its tolerance
   negative_curvature,  ///< the tangent is not positive definite
   not_finite,          ///< a force is infinite or not a number
-  no_progress,         ///< no step length along Newton's direction makes progress
-  newton_iterations,   ///< too many
+  no_progress,         ///< Newton: no step length along its direction makes progress
+  newton_iterations,   ///< Newton: too many
   other
 };
 

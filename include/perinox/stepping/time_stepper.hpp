@@ -73,6 +73,7 @@ class TimeStepper {
   const deck::Deck& deck_;
   mechanics::Scene& scene_;
   loads::Boundary boundary_;
+  std::shared_ptr<mechanics::Evaluation> evaluation_;  ///< of the scene: the motion and the breaking of bonds share it
   std::optional<motion::ExplicitMotion> motion_;
   std::unique_ptr<fracture::BondBreaking> breaking_;  ///< where bonds can break
   StepRecords records_;
