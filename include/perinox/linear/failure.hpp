@@ -2,8 +2,8 @@
 
 namespace perinox::linear {
 
-/// Why an attempt at a solution failed. The first four come from a linear solve, the rest from Newton's method around
-/// it.
+/// Why an attempt at a solution failed: in the linear solve, or where it says so in Newton's method around it. `other`
+/// may come from either.
 enum class Failure {
   none,
   linear_iterations,   ///< a linear solve did not reach its tolerance
