@@ -14,12 +14,9 @@ if(PERINOX_SANITIZE)
   set(kernel_options -ffp-contract=fast -mllvm -asan-instrumentation-with-call-threshold=0)
   set(baseline_options ${kernel_options} -O2 -fno-sanitize=null,alignment,vptr,pointer-overflow -DPERINOX_CHECKED_ACCESS)
   list(APPEND kernel_options -O0 -fno-sanitize=undefined)
-  # Where the tests spend their time otherwise.
-  file(GLOB looped_sources CONFIGURE_DEPENDS src/body/*.cpp src/bonds/*.cpp src/grid/*.cpp src/materials/*.cpp
-       src/mechanics/*.cpp src/linear/coarse_*.cpp src/linear/direct_*.cpp src/linear/two_level.cpp
-       src/fracture/bond_*.cpp src/fracture/broken_*.cpp src/motion/*.cpp)
-  set_source_files_properties(${looped_sources} PROPERTIES COMPILE_OPTIONS -O2)
 endif()
+set_source_files_properties("${kernels}/baseline.cpp" "${kernels}/avx2.cpp" "${kernels}/avx512.cpp" PROPERTIES
+  SKIP_PRECOMPILE_HEADERS ON)
 set_source_files_properties("${kernels}/baseline.cpp" PROPERTIES COMPILE_OPTIONS "${baseline_options}")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   set_source_files_properties("${kernels}/avx2.cpp" PROPERTIES COMPILE_OPTIONS "${kernel_options};-march=x86-64-v3")
