@@ -145,7 +145,7 @@ void run(int argc, char** argv) {
   settings.factorised_up_to =
       static_cast<long long>(options.number("direct", static_cast<double>(settings.factorised_up_to)));
   const double start = now();
-  linear::TwoLevel two_level(mechanics::unknowns_map(scene.body()), scene, fixed, scene.bond_graph(), settings);
+  linear::TwoLevel two_level(medium::unknowns_map(scene.body()), scene, fixed, scene.bond_graph(), settings);
   const double gridded = now();
   two_level.set(blocks, 1.0);
   const double built = now();

@@ -1,5 +1,5 @@
 # The rooms of src/, lowest first: a room uses those before it and none after it (docs/architecture.md).
-set(perinox_rooms core deck body bonds grid materials medium mechanics linear loads equilibrium fracture motion stepping output
+set(perinox_rooms core deck body bonds grid materials medium linear loads equilibrium mechanics fracture motion stepping output
                   study app)
 
 # perinox_<room>: the objects of one room. Object libraries, not archives: materials register themselves, and a linker

@@ -31,9 +31,9 @@ constexpr double worth_a_warning_of_chords = 0.05;
 constexpr double worth_a_warning_in_time = 0.01;
 
 /// Prints warnings about states that were reached and for which the model does not hold.
-void say_doubts(const stepping::Validity& validity, const Communicator& communicator) {
-  if (!communicator.is_root()) return;
-  for (const std::string& sentence : validity.at_end()) fmt::print(stderr, "warning: {}\n", sentence);
+void say_doubts(const stepping::Validity* validity, const Communicator& communicator) {
+  if (!validity || !communicator.is_root()) return;
+  for (const std::string& sentence : validity->at_end()) fmt::print(stderr, "warning: {}\n", sentence);
 }
 
 /// The remark on a share that is missing; "" if it is small.

@@ -25,7 +25,8 @@ int verify(const Options& options, const Communicator& communicator) {
   if (deck.dynamics == deck::Dynamics::explicit_)
     deck::refuse(deck.resolved.at("dynamics").location(),
                  "verify follows a quasi-static run; give --set dynamics=quasi-static, or another deck");
-  stepping::LoadStepper stepper(deck, scene);
+  mechanics::PeridynamicMedium medium(scene);
+  stepping::LoadStepper stepper(deck, medium);
   const bool talk = communicator.is_root() && !options.quiet;
   say_remarks(problem, stepper.boundary(), communicator);
   const bool with_assembled = communicator.sum(scene.families().directed) <= assembled_bonds;
@@ -39,17 +40,20 @@ int verify(const Options& options, const Communicator& communicator) {
 
   int step = 0;
   mechanics::TangentCheck worst;
-  stepper.on_convergence([&](const mechanics::Committed& before, const mechanics::Trial& after) {
-    const std::vector<double> displacement(
-        after.displacement.begin(), after.displacement.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()));
-    const mechanics::TangentCheck check = mechanics::check_tangent(
-        scene, before, displacement, deck.solver.form, with_assembled, 1 + 2 * static_cast<std::uint64_t>(step));
+  stepper.on_convergence([&] {
+    const std::vector<double>& after = medium.trial().displacement;
+    const std::vector<double> displacement(after.begin(),
+                                           after.begin() + static_cast<std::ptrdiff_t>(scene.owned_unknowns()));
+    const mechanics::TangentCheck check =
+        mechanics::check_tangent(scene, medium.committed(), displacement, deck.solver.form, with_assembled,
+                                 1 + 2 * static_cast<std::uint64_t>(step));
     ++step;
     worst.direction = std::max(worst.direction, check.direction);
     worst.symmetry = std::max(worst.symmetry, check.symmetry);
     worst.assembled = std::max(worst.assembled, check.assembled);
     if (!talk) return;
-    fmt::print("{:5} {:10.6g} {:9} {:12.2e} {:12.2e} ", step, after.t, check.yielding, check.direction, check.symmetry);
+    fmt::print("{:5} {:10.6g} {:9} {:12.2e} {:12.2e} ", step, medium.trial().t, check.yielding, check.direction,
+               check.symmetry);
     fmt::print("{:>12}", check.assembled < 0 ? std::string("-") : fmt::format("{:.2e}", check.assembled));
     for (const double error : check.of_material) fmt::print(" {:12.2e}", error);
     fmt::print("\n");

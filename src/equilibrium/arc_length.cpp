@@ -37,47 +37,45 @@ PathPoint along(const PathPoint& origin, double factor, const PathPoint& directi
 }
 }  // namespace
 
-ArcLength::ArcLength(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary,
-                     Newton& newton, mechanics::Evaluation& evaluation)
+ArcLength::ArcLength(const deck::Deck& deck, medium::Medium& medium, const loads::Boundary& boundary, Newton& newton)
     : deck_(deck),
       settings_(deck.arc_length),
-      scene_(scene),
+      medium_(medium),
       boundary_(boundary),
       newton_(newton),
-      bordered_(deck, scene, boundary, newton.system(), evaluation),
+      bordered_(deck, medium, boundary, newton.system()),
       first_load_(deck.steps.end / deck.steps.count),
       start_load_(first_load_) {
-  const Communicator& ranks = scene.body().communicator;
+  const medium::Model& model = medium.model();
+  const Communicator& ranks = model.body().communicator;
   norm_.ranks = &ranks;
   if (boundary.free_count() == 0)
     deck::refuse(deck.resolved.at("steps").at("control").location(),
                  "steps.control is arc-length, but every displacement is prescribed and there is no path to follow; "
                  "use steps.control: load");
   // Both ends of the run: a load may begin late.
-  const bool moves = changes(boundary, scene.owned_unknowns(), first_load_) ||
-                     changes(boundary, scene.owned_unknowns(), deck.steps.end);
+  const bool moves = changes(boundary, model.owned_unknowns(), first_load_) ||
+                     changes(boundary, model.owned_unknowns(), deck.steps.end);
   if (!ranks.any(moves))
     deck::refuse(deck.resolved.at("steps").at("control").location(),
                  "steps.control is arc-length, but no force and no prescribed displacement of boundary changes with t; "
                  "write one as a formula of t");
   if (settings_.until)
-    until_.emplace(ranks, scene.body().sets.at(settings_.until->set), scene.body().volume, scene.dimension(),
+    until_.emplace(ranks, model.body().sets.at(settings_.until->set), model.body().volume, model.dimension(),
                    settings_.until->component, settings_.until->displacement);
 }
 
-PathPoint ArcLength::committed_point(const mechanics::Committed& committed) const {
-  const auto begin = committed.displacement().begin();
-  const std::vector<double> owned(begin, begin + static_cast<std::ptrdiff_t>(scene_.owned_unknowns()));
-  return {medium::Displacement(owned), committed.t()};
+PathPoint ArcLength::committed_point() const {
+  return {medium::Displacement(medium::owned_displacement(medium_)), medium_.t()};
 }
 
-NewtonResult ArcLength::predict(const mechanics::Committed& committed, const PathPoint& origin, PathPoint& guess) {
+NewtonResult ArcLength::predict(const PathPoint& origin, PathPoint& guess) {
   guess = along(origin, arc_ / norm_.of(last_increment_), last_increment_);
   NewtonResult result;
-  result.converged = bordered_.relative_residual(committed, guess) < good_guess;
+  result.converged = bordered_.relative_residual(guess) < good_guess;
   if (result.converged) return result;
   PathPoint rate;
-  result = bordered_.rate(committed, rate);
+  result = bordered_.rate(rate);
   if (!result.converged) {
     result.reason = "no first guess: " + result.reason;
     return result;
@@ -104,11 +102,10 @@ std::pair<double, ArcLength::End> ArcLength::passed(const PathPoint& origin, con
   return first;
 }
 
-NewtonResult ArcLength::solve_on_path(const mechanics::Committed& committed, const PathConstraint& constraint, int step,
-                                      Observer& observer, PathPoint& point, mechanics::Trial& trial,
+NewtonResult ArcLength::solve_on_path(const PathConstraint& constraint, int step, Observer& observer, PathPoint& point,
                                       std::vector<double>& force) {
   const int most = std::min(deck_.solver.newton.max_iterations, slow * settings_.wanted_iterations);
-  const NewtonResult result = bordered_.solve(committed, point, constraint, most, step, observer, trial, force);
+  const NewtonResult result = bordered_.solve(point, constraint, most, step, observer, force);
   tried_ = point.t;
   if (bordered_.indefinite() != indefinite_) {
     indefinite_ = bordered_.indefinite();
@@ -119,30 +116,28 @@ NewtonResult ArcLength::solve_on_path(const mechanics::Committed& committed, con
   return result;
 }
 
-NewtonResult ArcLength::solve_at(double t, const mechanics::Committed& committed, int step, Observer& observer,
-                                 PathPoint& point, mechanics::Trial& trial, std::vector<double>& force) {
+NewtonResult ArcLength::solve_at(double t, int step, Observer& observer, PathPoint& point, std::vector<double>& force) {
   tried_ = t;
-  NewtonResult result = newton_.solve(committed, t, step, {}, observer, trial, force);
+  NewtonResult result = newton_.solve(t, step, {}, observer, force);
   if (result.converged) {
     std::vector<double>& solved = point.displacement.change();
-    std::copy_n(trial.displacement.begin(), solved.size(), solved.begin());
+    std::copy_n(medium_.trial().displacement.begin(), solved.size(), solved.begin());
     point.t = t;
   } else if (result.failure == linear::Failure::negative_curvature) {  // beyond a limit point
     point.t = t;
-    result = solve_on_path(committed, FixedLoad(t, first_load_), step, observer, point, trial, force);
+    result = solve_on_path(FixedLoad(t, first_load_), step, observer, point, force);
   }
   return result;
 }
 
-NewtonResult ArcLength::advance(const mechanics::Committed& committed, const PathPoint& origin, int step,
-                                Observer& observer, PathPoint& point, mechanics::Trial& trial,
+NewtonResult ArcLength::advance(const PathPoint& origin, int step, Observer& observer, PathPoint& point,
                                 std::vector<double>& force) {
   turned_ = false;
   NewtonResult result;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   double turn = none;
   if (!starting_) {
-    result = predict(committed, origin, point);
+    result = predict(origin, point);
     tried_ = point.t;
     if (!result.converged) return result;
     turn = boundary_.first_reversal(origin.t, point.t, true).value_or(none);
@@ -154,10 +149,9 @@ NewtonResult ArcLength::advance(const mechanics::Committed& committed, const Pat
     }
   }
   if (starting_)
-    result =
-        solve_at(origin.t + (forward_ ? start_load_ : -start_load_), committed, step, observer, point, trial, force);
+    result = solve_at(origin.t + (forward_ ? start_load_ : -start_load_), step, observer, point, force);
   else if (std::isnan(turn))
-    result = solve_on_path(committed, FixedArc(norm_, origin, arc_), step, observer, point, trial, force);
+    result = solve_on_path(FixedArc(norm_, origin, arc_), step, observer, point, force);
   if (!result.converged) return result;
   if (std::isnan(turn)) turn = boundary_.first_reversal(origin.t, point.t, false).value_or(none);
   if (std::isnan(turn) || turn == point.t) return result;
@@ -166,8 +160,7 @@ NewtonResult ArcLength::advance(const mechanics::Committed& committed, const Pat
   const double share = (turn - origin.t) / (point.t - origin.t);
   point = along(origin, share, along(point, -1, origin));
   point.t = turn;
-  const NewtonResult there =
-      solve_on_path(committed, FixedLoad(turn, first_load_), step, observer, point, trial, force);
+  const NewtonResult there = solve_on_path(FixedLoad(turn, first_load_), step, observer, point, force);
   result.converged = there.converged;
   result.reason = there.reason;
   result.newton_iterations += there.newton_iterations;
@@ -175,11 +168,10 @@ NewtonResult ArcLength::advance(const mechanics::Committed& committed, const Pat
   return result;
 }
 
-NewtonResult ArcLength::attempt(const mechanics::Committed& committed, int step, Observer& observer,
-                                mechanics::Trial& trial, std::vector<double>& force) {
-  const PathPoint origin = committed_point(committed);
+NewtonResult ArcLength::attempt(int step, Observer& observer, std::vector<double>& force) {
+  const PathPoint origin = committed_point();
   PathPoint point = origin;
-  NewtonResult result = advance(committed, origin, step, observer, point, trial, force);
+  NewtonResult result = advance(origin, step, observer, point, force);
   if (!result.converged) return result;
   iterations_ = result.newton_iterations;
   increment_ = along(point, -1, origin);
@@ -203,7 +195,7 @@ NewtonResult ArcLength::attempt(const mechanics::Committed& committed, int step,
   missed_until_ = end == End::load && until_;
   const FixedLoad end_of_loads(deck_.steps.end, first_load_);
   const PathConstraint& constraint = end == End::load ? static_cast<const PathConstraint&>(end_of_loads) : *until_;
-  const NewtonResult last = solve_on_path(committed, constraint, step, observer, point, trial, force);
+  const NewtonResult last = solve_on_path(constraint, step, observer, point, force);
   result.converged = last.converged;
   result.reason = last.reason;
   result.newton_iterations += last.newton_iterations;
@@ -211,10 +203,10 @@ NewtonResult ArcLength::attempt(const mechanics::Committed& committed, int step,
   return result;
 }
 
-void ArcLength::accept(const mechanics::Committed& committed, const mechanics::Trial& trial) {
+void ArcLength::accept() {
   ++steps_;
   ended_ = landed_;
-  if (until_) reached_ = until_->mean(trial.displacement);
+  if (until_) reached_ = until_->mean(medium_.trial().displacement);
   if (arc_ == 0) {
     norm_.length = norm_.of(increment_);
     arc_ = 1;
@@ -224,7 +216,7 @@ void ArcLength::accept(const mechanics::Committed& committed, const mechanics::T
     arc_ = std::clamp(norm_.of(increment_), shortest_, longest_);
   }
   last_increment_ = std::move(increment_);
-  forward_ = trial.t > committed.t();
+  forward_ = medium_.trial().t > medium_.t();
   starting_ = turned_;
   start_load_ = first_load_;
   cuts_ = 0;

@@ -20,14 +20,14 @@ constexpr int most_halvings = 6;
 }  // namespace
 
 struct BorderedNewton::Parts {
-  Parts(const deck::Deck& deck_, const mechanics::Scene& scene_, const loads::Boundary& boundary_,
-        linear::TangentSystem& system_, mechanics::Evaluation& evaluation)
+  Parts(const deck::Deck& deck_, medium::Medium& medium_, const loads::Boundary& boundary_,
+        linear::TangentSystem& system_)
       : deck(deck_),
-        scene(scene_),
+        medium(medium_),
         boundary(boundary_),
         system(system_),
-        model(scene_, boundary_, system_, evaluation, deck_.solver.newton),
-        unknowns(scene_.owned_unknowns()),
+        model(medium_, boundary_, system_, deck_.solver.newton),
+        unknowns(medium_.model().owned_unknowns()),
         solver(deck_.solver.linear, system_.symmetric()),
         external(unknowns),
         load_rate(unknowns, 0.0) {
@@ -37,7 +37,7 @@ struct BorderedNewton::Parts {
     indefinite_solver.emplace(gmres, false);
   }
 
-  const ForceBalance& evaluate(const mechanics::Committed& committed, const PathPoint& at);
+  const ForceBalance& evaluate(const PathPoint& at);
   /// left = K^-1 right on the free unknowns, 0 on the prescribed ones, with what `right` has on the free ones.
   linear::LinearOutcome solve_tangent(std::vector<double> right, double tolerance, std::vector<double>& left);
   /// Derivatives with t of the external force and of the prescribed displacements at t.
@@ -49,11 +49,10 @@ struct BorderedNewton::Parts {
                                   PathPoint& change);
   /// Moves `at` along the change, all of it or the half, quarter, ... that lowers the residual, and evaluates there.
   /// Returns the share; 0 if none does.
-  double advance(const mechanics::Committed& committed, const PathConstraint& constraint, const PathPoint& change,
-                 PathPoint& at);
+  double advance(const PathConstraint& constraint, const PathPoint& change, PathPoint& at);
 
   const deck::Deck& deck;
-  const mechanics::Scene& scene;
+  medium::Medium& medium;
   const loads::Boundary& boundary;
   linear::TangentSystem& system;
   EquilibriumModel model;
@@ -66,15 +65,15 @@ struct BorderedNewton::Parts {
   std::vector<double> load_rate;  ///< the last b: the next one starts from it
 };
 
-BorderedNewton::BorderedNewton(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary,
-                               linear::TangentSystem& system, mechanics::Evaluation& evaluation)
-    : parts_(std::make_unique<Parts>(deck, scene, boundary, system, evaluation)) {}
+BorderedNewton::BorderedNewton(const deck::Deck& deck, medium::Medium& medium, const loads::Boundary& boundary,
+                               linear::TangentSystem& system)
+    : parts_(std::make_unique<Parts>(deck, medium, boundary, system)) {}
 BorderedNewton::~BorderedNewton() = default;
 bool BorderedNewton::indefinite() const { return parts_->indefinite; }
 
-const ForceBalance& BorderedNewton::Parts::evaluate(const mechanics::Committed& committed, const PathPoint& at) {
+const ForceBalance& BorderedNewton::Parts::evaluate(const PathPoint& at) {
   boundary.external_force(at.t, external.data());
-  model.set_step(committed, external, at.t);
+  model.set_step(external, at.t);
   return model.evaluate(at.displacement.at());
 }
 
@@ -120,9 +119,9 @@ std::string BorderedNewton::Parts::differentiate(double t, std::vector<double>& 
       displacement[u] = (displacement[u] - displacement_below[u]) / (above - below);
       check += force[u] + displacement[u];
     }
-    if (scene.body().communicator.any(!std::isfinite(check))) continue;
+    if (medium.model().body().communicator.any(!std::isfinite(check))) continue;
     finite = true;
-    if (scene.body().communicator.any(moves)) return "";
+    if (medium.model().body().communicator.any(moves)) return "";
   }
   if (finite) {  // they do not change
     force.assign(unknowns, 0.0);
@@ -171,11 +170,11 @@ linear::LinearOutcome BorderedNewton::Parts::find_rate(double t, double toleranc
   return outcome;
 }
 
-NewtonResult BorderedNewton::rate(const mechanics::Committed& committed, PathPoint& rate) {
+NewtonResult BorderedNewton::rate(PathPoint& rate) {
   Parts& p = *parts_;
-  p.model.set_step(committed, p.external, committed.t());
-  linear::LinearOutcome outcome = p.model.linearise(committed.at());
-  if (outcome.converged) outcome = p.find_rate(committed.t(), p.deck.solver.linear.tolerance);
+  p.model.set_step(p.external, p.medium.t());
+  linear::LinearOutcome outcome = p.model.linearise(p.medium.at());
+  if (outcome.converged) outcome = p.find_rate(p.medium.t(), p.deck.solver.linear.tolerance);
   rate = {medium::Displacement(p.load_rate), 1};
   NewtonResult result;
   result.converged = outcome.converged;
@@ -184,8 +183,8 @@ NewtonResult BorderedNewton::rate(const mechanics::Committed& committed, PathPoi
   return result;
 }
 
-double BorderedNewton::relative_residual(const mechanics::Committed& committed, const PathPoint& point) {
-  const ForceBalance& balance = parts_->evaluate(committed, point);
+double BorderedNewton::relative_residual(const PathPoint& point) {
+  const ForceBalance& balance = parts_->evaluate(point);
   return balance.finite ? parts_->model.relative_residual() : std::numeric_limits<double>::infinity();
 }
 
@@ -210,8 +209,7 @@ linear::LinearOutcome BorderedNewton::Parts::direction(const PathPoint& at, cons
   return outcome;
 }
 
-double BorderedNewton::Parts::advance(const mechanics::Committed& committed, const PathConstraint& constraint,
-                                      const PathPoint& change, PathPoint& at) {
+double BorderedNewton::Parts::advance(const PathConstraint& constraint, const PathPoint& change, PathPoint& at) {
   const PathPoint from = at;
   const double before = model.balance().residual;
   // While the constraint is still to be met the residual may well have to grow.
@@ -224,7 +222,7 @@ double BorderedNewton::Parts::advance(const mechanics::Committed& committed, con
     for (std::size_t u = 0; u < unknowns; ++u)
       to[u] = from.displacement.values()[u] + length * change.displacement.values()[u];
     boundary.impose(at.t, to.data());
-    const ForceBalance& balance = evaluate(committed, at);
+    const ForceBalance& balance = evaluate(at);
     if (!search || (balance.finite && balance.residual <= (1 - 1e-4 * length) * before) ||
         balance.residual <= model.rounding_floor())
       return length;
@@ -232,14 +230,13 @@ double BorderedNewton::Parts::advance(const mechanics::Committed& committed, con
   return 0;
 }
 
-NewtonResult BorderedNewton::solve(const mechanics::Committed& committed, PathPoint& point,
-                                   const PathConstraint& constraint, int most_iterations, int step, Observer& observer,
-                                   mechanics::Trial& trial, std::vector<double>& force) {
+NewtonResult BorderedNewton::solve(PathPoint& point, const PathConstraint& constraint, int most_iterations, int step,
+                                   Observer& observer, std::vector<double>& force) {
   Parts& p = *parts_;
   if (p.stiffening) p.indefinite = false;  // conjugate gradients are worth another try
   NewtonResult result;
   p.boundary.impose(point.t, point.displacement.change().data());
-  p.evaluate(committed, point);
+  p.evaluate(point);
   NewtonProgress progress(p.deck.solver, observer);
   NewtonIteration row;
   row.step = step;
@@ -270,7 +267,7 @@ NewtonResult BorderedNewton::solve(const mechanics::Committed& committed, PathPo
       result.reason = outcome.reason;
       return result;
     }
-    row.step_length = p.advance(committed, constraint, change, point);
+    row.step_length = p.advance(constraint, change, point);
     if (row.step_length == 0) {
       result.reason =
           fmt::format("no step length along Newton's direction lowers the residual (relative residual {:.2e})",
@@ -284,7 +281,6 @@ NewtonResult BorderedNewton::solve(const mechanics::Committed& committed, PathPo
     row.relative_update = increment > 0 ? row.update / increment : 0;
   }
   result.converged = true;
-  trial = std::move(p.model.trial());
   force = p.model.force();
   return result;
 }

@@ -29,7 +29,7 @@ class Shifted {
 }  // namespace
 
 double EnergyDescent::potential(const std::vector<double>& external) const {
-  const mechanics::Trial& trial = model_.trial();
+  const medium::Trial& trial = model_.trial();
   double sum = trial.stored + trial.dissipated;
   for (std::size_t u = 0; u < external.size(); ++u)
     if (!model_.prescribed(u)) sum -= external[u] * trial.displacement[u];

@@ -6,45 +6,39 @@
 
 #include "perinox/body/extent.hpp"
 #include "perinox/core/sentence.hpp"
-#include "perinox/mechanics/internal_force.hpp"
 
 namespace perinox::equilibrium {
 
-EquilibriumModel::EquilibriumModel(const mechanics::Scene& scene, const loads::Boundary& boundary,
-                                   linear::TangentSystem& system, mechanics::Evaluation& evaluation,
-                                   const deck::Newton& settings)
-    : scene_(scene),
+EquilibriumModel::EquilibriumModel(medium::Medium& medium, const loads::Boundary& boundary,
+                                   linear::TangentSystem& system, const deck::Newton& settings)
+    : medium_(medium),
+      points_(medium.model()),
       boundary_(boundary),
       system_(system),
-      evaluation_(evaluation),
       settings_(settings),
-      reach_(body::diagonal(scene.body()) * std::sqrt(static_cast<double>(scene.body().total))),
-      force_(scene.owned_unknowns()) {}
+      reach_(body::diagonal(points_.body()) * std::sqrt(static_cast<double>(points_.body().total))),
+      force_(points_.owned_unknowns()) {}
 
-void EquilibriumModel::set_step(const mechanics::Committed& committed, const std::vector<double>& external, double t) {
-  committed_ = &committed;
+void EquilibriumModel::set_step(const std::vector<double>& external, double t) {
   external_ = &external;
   t_ = t;
   version_ = committed_too_ = 0;
   double square = 0;
   for (std::size_t u = 0; u < force_.size(); ++u)
-    if (!loose(u)) square += committed.displacement()[u] * committed.displacement()[u];
-  start_ = std::sqrt(scene_.body().communicator.sum(square));
+    if (!loose(u)) square += medium_.displacement()[u] * medium_.displacement()[u];
+  start_ = std::sqrt(points_.body().communicator.sum(square));
 }
 
 bool EquilibriumModel::loose(std::size_t u) const {
-  return !boundary_.loose().empty() && boundary_.loose()[u / static_cast<std::size_t>(scene_.dimension())] != 0;
+  return !boundary_.loose().empty() && boundary_.loose()[u / static_cast<std::size_t>(points_.dimension())] != 0;
 }
 
 const ForceBalance& EquilibriumModel::evaluate(const medium::At& asked) {
   const medium::At at = known(asked);
-  if (version_ == at.version) return balance_;
+  // Another solver of the same medium may have looked elsewhere in between.
+  if (version_ == at.version && medium_.trial().version == at.version) return balance_;
   version_ = at.version;
-  {
-    const Profile::Scope timed(scene_.body().communicator.profile(), Section::force);
-    mechanics::internal_force(evaluation_, *committed_, at, trial_, force_.data());
-  }
-  trial_.t = t_;
+  medium_.evaluate(t_, at, force_.data());
   std::vector<double> squares(4, 0.0);
   for (std::size_t u = 0; u < force_.size(); ++u) {
     if (loose(u)) continue;
@@ -53,7 +47,7 @@ const ForceBalance& EquilibriumModel::evaluate(const medium::At& asked) {
     squares[2] += (*external_)[u] * (*external_)[u];
     squares[3] += at.displacement[u] * at.displacement[u];
   }
-  scene_.body().communicator.sum(squares);
+  points_.body().communicator.sum(squares);
   balance_ = {std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2]), std::sqrt(squares[3]), true};
   balance_.finite = std::isfinite(squares[0] + squares[1] + squares[3]);
   return balance_;
@@ -68,7 +62,7 @@ std::vector<double> EquilibriumModel::out_of_balance() const {
 linear::LinearOutcome EquilibriumModel::linearise(const medium::At& at) {
   linear::LinearOutcome outcome;
   try {
-    system_.update(*committed_, known(at));
+    system_.update(known(at));
     system_.update_preconditioner();
     outcome.converged = true;
   } catch (const std::exception& failure) {
@@ -78,21 +72,21 @@ linear::LinearOutcome EquilibriumModel::linearise(const medium::At& at) {
 }
 
 std::string EquilibriumModel::not_finite() const {
-  const std::string mine = mechanics::first_not_finite(scene_, trial_, force_.data());
-  const std::string text = first_sentence(scene_.body().communicator, mine);
+  const std::string mine = medium_.first_not_finite(force_.data());
+  const std::string text = first_sentence(points_.body().communicator, mine);
   return text.empty() ? "the force balance is not finite" : text;
 }
 
 double EquilibriumModel::dot(const std::vector<double>& a, const std::vector<double>& b) const {
   double sum = 0;
   for (std::size_t u = 0; u < a.size(); ++u) sum += a[u] * b[u];
-  return scene_.body().communicator.sum(sum);
+  return points_.body().communicator.sum(sum);
 }
 
 double EquilibriumModel::away_from_start(const std::vector<double>& x) const {
   double square = 0;
-  for (std::size_t u = 0; u < x.size(); ++u) square += std::pow(x[u] - committed_->displacement()[u], 2);
-  return std::sqrt(scene_.body().communicator.sum(square));
+  for (std::size_t u = 0; u < x.size(); ++u) square += std::pow(x[u] - medium_.displacement()[u], 2);
+  return std::sqrt(points_.body().communicator.sum(square));
 }
 
 double EquilibriumModel::rounding_floor() const {

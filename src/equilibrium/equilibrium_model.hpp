@@ -5,29 +5,31 @@
 
 #include "perinox/equilibrium/newton.hpp"
 #include "perinox/linear/linear_solve.hpp"
-#include "perinox/mechanics/evaluation.hpp"
+#include "perinox/medium/medium.hpp"
 
 namespace perinox::equilibrium {
 
-/// The force balance of one scene in one step: internal plus external force on the free unknowns, its tangent, and what
-/// a residual is judged against. Plain, bordered and descending Newton iterations share it.
+/// The force balance of one medium in one step: internal plus external force on the free unknowns, its tangent, and
+/// what a residual is judged against. Plain, bordered and descending Newton iterations share it.
 class EquilibriumModel {
  public:
   /// Everything is kept by reference. settings: of Newton's method.
-  EquilibriumModel(const mechanics::Scene& scene, const loads::Boundary& boundary, linear::TangentSystem& system,
-                   mechanics::Evaluation& evaluation, const deck::Newton& settings);
+  EquilibriumModel(medium::Medium& medium, const loads::Boundary& boundary, linear::TangentSystem& system,
+                   const deck::Newton& settings);
 
-  /// The step to be solved: committed state and external force [owned * dimension] stay alive until the next call.
-  void set_step(const mechanics::Committed& committed, const std::vector<double>& external, double t);
+  /// The step to be solved, from the medium's committed state. The external force [owned * dimension] stays alive until
+  /// the next call.
+  void set_step(const std::vector<double>& external, double t);
 
   /// Says that a displacement is that of the committed state, so that it is not evaluated a second time in this step.
   void take_for_committed(const medium::At& at) { committed_too_ = at.version; }
 
-  /// Internal force and balance at a displacement [owned * dimension]; the trial state is kept. Collective.
+  /// Internal force and balance at a displacement [owned * dimension]; the medium keeps the state
+  /// under trial. Collective.
   const ForceBalance& evaluate(const medium::At& asked);
   const ForceBalance& balance() const { return balance_; }
   const std::vector<double>& force() const { return force_; }
-  mechanics::Trial& trial() { return trial_; }
+  const medium::Trial& trial() const { return medium_.trial(); }
   /// Out-of-balance force of the last evaluation on the free unknowns, 0 on the prescribed ones: [owned * dimension].
   std::vector<double> out_of_balance() const;
   /// Linearises at a displacement and brings the preconditioner there. An outcome that has not converged says that a
@@ -39,7 +41,7 @@ class EquilibriumModel {
   /// Scalar product over all ranks: [owned * dimension]. Collective.
   double dot(const std::vector<double>& a, const std::vector<double>& b) const;
   /// Sum over all ranks. Collective.
-  double sum(double mine) const { return scene_.body().communicator.sum(mine); }
+  double sum(double mine) const { return points_.body().communicator.sum(mine); }
   /// 2-norm of what x is away from the displacement that the step starts from: length. Collective.
   double away_from_start(const std::vector<double>& x) const;
   /// Residual below which nothing but rounding is left: force. The displacement that it goes with is the larger one of
@@ -55,27 +57,24 @@ class EquilibriumModel {
 
   bool prescribed(std::size_t u) const { return boundary_.prescribed()[u] != 0; }
   linear::TangentSystem& system() { return system_; }
-  const mechanics::Committed& committed() const { return *committed_; }
   double t() const { return t_; }
 
  private:
   bool loose(std::size_t u) const;
-  medium::At known(const medium::At& at) const { return at.version == committed_too_ ? committed_->at() : at; }
+  medium::At known(const medium::At& at) const { return at.version == committed_too_ ? medium_.at() : at; }
 
-  const mechanics::Scene& scene_;
+  medium::Medium& medium_;
+  const medium::Model& points_;
   const loads::Boundary& boundary_;
   linear::TangentSystem& system_;
-  mechanics::Evaluation& evaluation_;
   const deck::Newton& settings_;
   double start_ = 0;  ///< 2-norm of the displacement that the step starts from
   double reach_;      ///< 2-norm of a displacement of the body's own size
-  const mechanics::Committed* committed_ = nullptr;
   const std::vector<double>* external_ = nullptr;
   double t_ = 0;
   // The last evaluation.
   std::uint64_t version_ = 0;        ///< of its displacement; 0: there is none in this step
   std::uint64_t committed_too_ = 0;  ///< of a displacement that is the committed one; 0: none is
-  mechanics::Trial trial_;
   std::vector<double> force_;
   ForceBalance balance_;
 };

@@ -27,27 +27,26 @@ constexpr GlobalId most_direct_plane = 60000, most_direct_solid = 1000;
 }  // namespace
 
 struct Newton::Parts {
-  Parts(const deck::Solver& solver_, const mechanics::Scene& scene_, const loads::Boundary& boundary_,
-        const std::shared_ptr<mechanics::Evaluation>& evaluation)
+  Parts(const deck::Solver& solver_, medium::Medium& medium_, const loads::Boundary& boundary_)
       : solver(solver_),
-        scene(scene_),
+        medium(medium_),
         boundary(boundary_),
-        system(scene_, boundary_.prescribed(), solver_, evaluation),
-        model(scene_, boundary_, system, *evaluation, solver.newton),
+        system(medium_, boundary_.prescribed(), solver_),
+        model(medium_, boundary_, system, solver.newton),
         linear_solver(solver_.linear, system.symmetric()),
-        external(scene_.owned_unknowns()) {}
+        external(medium_.model().owned_unknowns()) {}
 
   /// False if a load or a prescribed displacement is infinite or not a number, on any rank. Collective.
   bool loads_finite(const std::vector<double>& x) const;
   /// Solution of the tangent system at the committed state for the step's change of load and prescribed displacement:
   /// the first guess of the step, added to x.
-  linear::LinearOutcome predict(const mechanics::Committed& committed, std::vector<double>& x);
+  linear::LinearOutcome predict(std::vector<double>& x);
   RCP<Teuchos::ParameterList> nox_parameters(const RCP<NaturalLineSearch>& natural) const;
   /// NOX's iteration from a displacement. On convergence the model was evaluated at the solution last.
   NewtonResult iterate(const medium::Displacement& start, int step, bool linear_limit_fails, Observer& observer);
 
   deck::Solver solver;
-  const mechanics::Scene& scene;
+  medium::Medium& medium;
   const loads::Boundary& boundary;
   linear::TangentSystem system;
   EquilibriumModel model;
@@ -58,9 +57,8 @@ struct Newton::Parts {
   int most_iterations = 0;          ///< of one linear solve, in the last step
 };
 
-Newton::Newton(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary,
-               std::shared_ptr<mechanics::Evaluation> evaluation)
-    : deck_(deck), scene_(scene), boundary_(boundary), evaluation_(std::move(evaluation)) {
+Newton::Newton(const deck::Deck& deck, medium::Medium& medium, const loads::Boundary& boundary)
+    : deck_(deck), medium_(medium), boundary_(boundary) {
   make_parts();
 }
 Newton::~Newton() = default;
@@ -71,7 +69,7 @@ void Newton::make_parts() {
     solver.tangent = deck::TangentKind::assembled;
     solver.linear.method = deck::LinearMethod::direct;
   }
-  parts_ = std::make_unique<Parts>(solver, scene_, boundary_, evaluation_);
+  parts_ = std::make_unique<Parts>(solver, medium_, boundary_);
   set_tolerance();
 }
 
@@ -82,11 +80,11 @@ void Newton::set_tolerance() {
 
 bool Newton::may_take_direct() const {
   const deck::Solver& asked = deck_.solver;
-  const GlobalId most = scene_.dimension() == 3 ? most_direct_solid : most_direct_plane;
+  const GlobalId most = medium_.model().dimension() == 3 ? most_direct_solid : most_direct_plane;
   return !direct_ && asked.tangent == deck::TangentKind::automatic &&
          asked.linear.method == deck::LinearMethod::automatic &&
          asked.linear.preconditioner == deck::Preconditioner::automatic && deck_.steps.control == deck::Control::load &&
-         scene_.body().total <= most;
+         medium_.model().body().total <= most;
 }
 
 void Newton::bonds_changed(bool supports_too) {
@@ -130,15 +128,15 @@ linear::TangentSystem& Newton::system() { return parts_->system; }
 bool Newton::Parts::loads_finite(const std::vector<double>& x) const {
   double sum = 0;
   for (std::size_t u = 0; u < x.size(); ++u) sum += std::abs(external[u]) + std::abs(x[u]);
-  return !scene.body().communicator.any(!std::isfinite(sum));
+  return !medium.model().body().communicator.any(!std::isfinite(sum));
 }
 
-linear::LinearOutcome Newton::Parts::predict(const mechanics::Committed& committed, std::vector<double>& x) {
-  const std::vector<double>& start = committed.displacement();
+linear::LinearOutcome Newton::Parts::predict(std::vector<double>& x) {
+  const std::vector<double>& start = medium.displacement();
   const std::vector<char>& fixed = boundary.prescribed();
-  linear::LinearOutcome outcome = model.linearise(committed.at());
+  linear::LinearOutcome outcome = model.linearise(medium.at());
   if (!outcome.converged) return outcome;
-  model.evaluate(committed.at());
+  model.evaluate(medium.at());
   std::vector<double> jump(x.size(), 0.0), stiff(x.size());
   for (std::size_t u = 0; u < x.size(); ++u)
     if (fixed[u]) jump[u] = x[u] - start[u];
@@ -176,12 +174,12 @@ RCP<Teuchos::ParameterList> Newton::Parts::nox_parameters(const RCP<NaturalLineS
   return all;
 }
 
-NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int step, const std::vector<double>& guess,
-                           Observer& observer, mechanics::Trial& trial, std::vector<double>& force) {
-  NewtonResult result = attempt(committed, t, step, guess, observer, trial, force);
+NewtonResult Newton::solve(double t, int step, const std::vector<double>& guess, Observer& observer,
+                           std::vector<double>& force) {
+  NewtonResult result = attempt(t, step, guess, observer, force);
   const auto again = [&](const std::string& how) {
-    observer.step_rejected(committed.t(), t, result.reason + "; " + how);
-    result = attempt(committed, t, step, guess, observer, trial, force);
+    observer.step_rejected(medium_.t(), t, result.reason + "; " + how);
+    result = attempt(t, step, guess, observer, force);
   };
   const bool inexact = result.failure == linear::Failure::negative_curvature ||
                        result.failure == linear::Failure::no_progress ||
@@ -209,18 +207,16 @@ NewtonResult Newton::solve(const mechanics::Committed& committed, double t, int 
   return result;
 }
 
-NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, int step,
-                             const std::vector<double>& guess, Observer& observer, mechanics::Trial& trial,
+NewtonResult Newton::attempt(double t, int step, const std::vector<double>& guess, Observer& observer,
                              std::vector<double>& force) {
   Parts& p = *parts_;
   NewtonResult result;
   p.boundary.external_force(t, p.external.data());
-  p.model.set_step(committed, p.external, t);
+  p.model.set_step(p.external, t);
 
-  std::vector<double> x(committed.displacement().begin(),
-                        committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.scene.owned_unknowns()));
+  std::vector<double> x = medium::owned_displacement(medium_);
   // A rank without particles has an empty guess also where there is one.
-  const bool guessed = p.scene.body().communicator.any(!guess.empty());
+  const bool guessed = p.medium.model().body().communicator.any(!guess.empty());
   if (guessed) x = guess;
   p.boundary.impose(t, x.data());
   if (!p.loads_finite(x)) {
@@ -232,14 +228,14 @@ NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, in
   bool good_guess = p.boundary.free_count() == 0;
   if (guessed) {
     // After bonds have broken the guess is where the body is, and its strains are there.
-    const bool moved = !std::equal(x.begin(), x.end(), committed.displacement().begin());
-    if (!p.scene.body().communicator.any(moved)) p.model.take_for_committed(start.at());
+    const bool moved = !std::equal(x.begin(), x.end(), medium_.displacement().begin());
+    if (!p.medium.model().body().communicator.any(moved)) p.model.take_for_committed(start.at());
     const ForceBalance& balance = p.model.evaluate(start.at());
     good_guess = good_guess || (balance.finite && p.model.relative_residual() < 0.1);
   }
   int iterations = 0;
   if (!good_guess) {
-    const linear::LinearOutcome outcome = p.predict(committed, x);
+    const linear::LinearOutcome outcome = p.predict(x);
     if (!outcome.converged) {
       result.failure = outcome.failure;
       result.reason = "no first guess: " + outcome.reason;
@@ -255,7 +251,6 @@ NewtonResult Newton::attempt(const mechanics::Committed& committed, double t, in
     if (p.iterations_when_made == 0) p.iterations_when_made = p.last_iterations;
   }
   if (!result.converged) return result;
-  trial = std::move(p.model.trial());
   force = p.model.force();
   return result;
 }
@@ -308,21 +303,18 @@ NewtonResult Newton::Parts::iterate(const medium::Displacement& start, int step,
   return result;
 }
 
-NewtonResult Newton::descend(const mechanics::Committed& committed, double t, int step, Observer& observer,
-                             mechanics::Trial& trial, std::vector<double>& force) {
+NewtonResult Newton::descend(double t, int step, Observer& observer, std::vector<double>& force) {
   NewtonResult result;
   if (!parts_->system.symmetric() || deck_.solver.assembled()) return result;
   std::unique_ptr<Parts> without_matrix;
-  if (direct_) without_matrix = std::make_unique<Parts>(deck_.solver, scene_, boundary_, evaluation_);
+  if (direct_) without_matrix = std::make_unique<Parts>(deck_.solver, medium_, boundary_);
   Parts& p = direct_ ? *without_matrix : *parts_;
   p.boundary.external_force(t, p.external.data());
-  p.model.set_step(committed, p.external, t);
-  std::vector<double> x(committed.displacement().begin(),
-                        committed.displacement().begin() + static_cast<std::ptrdiff_t>(p.scene.owned_unknowns()));
+  p.model.set_step(p.external, t);
+  std::vector<double> x = medium::owned_displacement(medium_);
   p.boundary.impose(t, x.data());
   result = EnergyDescent(p.solver, p.model, p.linear_solver).run(p.external, step, observer, x);
   if (!result.converged) return result;
-  trial = std::move(p.model.trial());
   force = p.model.force();
   return result;
 }

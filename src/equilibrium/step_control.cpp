@@ -11,32 +11,28 @@ namespace {
 constexpr int most_cuts = 60;
 }  // namespace
 
-LoadSteps::LoadSteps(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary,
-                     Newton& newton)
+LoadSteps::LoadSteps(const deck::Deck& deck, medium::Medium& medium, const loads::Boundary& boundary, Newton& newton)
     : steps_(deck.steps),
-      scene_(scene),
+      medium_(medium),
       boundary_(boundary),
       newton_(newton),
       size_(steps_.count > 0 ? steps_.end / steps_.count : 0),
-      previous_displacement_(scene.owned_unknowns(), 0.0) {}
+      previous_displacement_(medium.model().owned_unknowns(), 0.0) {}
 
 double LoadSteps::next(double t) const {
   // A remainder shorter than a thousandth of the step joins it.
   return t + size_ * 1.001 >= whole_end() ? whole_end() : t + size_;
 }
 
-NewtonResult LoadSteps::attempt(const mechanics::Committed& committed, int step, Observer& observer,
-                                mechanics::Trial& trial, std::vector<double>& force) {
-  tried_ = next(committed.t());
-  return newton_.solve(committed, tried_, step, first_guess(committed, tried_), observer, trial, force);
+NewtonResult LoadSteps::attempt(int step, Observer& observer, std::vector<double>& force) {
+  tried_ = next(medium_.t());
+  return newton_.solve(tried_, step, first_guess(tried_), observer, force);
 }
 
-void LoadSteps::accept(const mechanics::Committed& committed, const mechanics::Trial& trial) {
-  if (trial.t >= whole_end()) ++done_;
-  previous_t_ = committed.t();
-  std::copy(committed.displacement().begin(),
-            committed.displacement().begin() + static_cast<std::ptrdiff_t>(previous_displacement_.size()),
-            previous_displacement_.begin());
+void LoadSteps::accept() {
+  if (medium_.trial().t >= whole_end()) ++done_;
+  previous_t_ = medium_.t();
+  previous_displacement_ = medium::owned_displacement(medium_);
   has_previous_ = true;
   if (cuts_ > 0) {
     --cuts_;
@@ -62,18 +58,18 @@ bool LoadSteps::cut() {
   return true;
 }
 
-std::vector<double> LoadSteps::first_guess(const mechanics::Committed& committed, double t) const {
+std::vector<double> LoadSteps::first_guess(double t) const {
   if (!has_previous_) return {};
   // The last increment again, in proportion: nearly right wherever the loading goes on as before.
-  const double ratio = (t - committed.t()) / (committed.t() - previous_t_);
-  std::vector<double> guess(scene_.owned_unknowns());
+  const double ratio = (t - medium_.t()) / (medium_.t() - previous_t_);
+  std::vector<double> guess(medium_.model().owned_unknowns());
   for (std::size_t u = 0; u < guess.size(); ++u)
-    guess[u] = committed.displacement()[u] + ratio * (committed.displacement()[u] - previous_displacement_[u]);
+    guess[u] = medium_.displacement()[u] + ratio * (medium_.displacement()[u] - previous_displacement_[u]);
   // Loose particles stay where they are.
-  const int d = scene_.dimension();
+  const int d = medium_.model().dimension();
   const std::vector<char>& loose = boundary_.loose();
   for (std::size_t i = 0; i < loose.size(); ++i)
-    if (loose[i]) std::copy_n(&committed.displacement()[i * d], d, &guess[i * d]);
+    if (loose[i]) std::copy_n(&medium_.displacement()[i * d], d, &guess[i * d]);
   return guess;
 }
 
@@ -82,18 +78,18 @@ void LoadSteps::save(StateWriter& writer) const {
   writer.integer("steps/cuts", cuts_);
   writer.integer("steps/has_previous", has_previous_ ? 1 : 0);
   writer.number("steps/previous_t", previous_t_);
-  writer.particles("steps/previous_displacement", previous_displacement_.data(), scene_.dimension());
+  writer.particles("steps/previous_displacement", previous_displacement_.data(), medium_.model().dimension());
 }
 
-void LoadSteps::restore(const mechanics::Committed& committed, StateReader& reader) {
+void LoadSteps::restore(StateReader& reader) {
   const int cuts = restored_count(reader, "steps/cuts", most_cuts);
   for (cuts_ = 0; cuts_ < cuts; ++cuts_) size_ /= 2;
   accepted_cuts_ = cuts_;
-  for (done_ = 0; !finished() && committed.t() >= whole_end() * (1 - 1e-12);) ++done_;
-  tried_ = committed.t();
+  for (done_ = 0; !finished() && medium_.t() >= whole_end() * (1 - 1e-12);) ++done_;
+  tried_ = medium_.t();
   has_previous_ = reader.integer("steps/has_previous") != 0;
   previous_t_ = reader.number("steps/previous_t");
-  previous_displacement_ = reader.particles("steps/previous_displacement", scene_.dimension());
+  previous_displacement_ = reader.particles("steps/previous_displacement", medium_.model().dimension());
 }
 
 }  // namespace perinox::equilibrium

@@ -13,10 +13,8 @@ namespace {
 /// Moduli of a particle: its material's, or where several materials are in use the mean over it and its family.
 class Moduli {
  public:
-  Moduli(const mechanics::Scene& scene, const bonds::BondGraph& graph)
-      : material_(scene.body().material), graph_(graph) {
-    for (const auto& material : scene.materials()) moduli_.push_back(material->elastic_moduli(scene.dimension()));
-  }
+  Moduli(const medium::Model& model, const bonds::BondGraph& graph)
+      : material_(model.body().material), graph_(graph), moduli_(model.local_elasticity()->moduli) {}
   materials::ElasticModuli of(LocalIndex i) const {
     if (moduli_.size() == 1) return moduli_.front();
     graph_(i, neighbors_);
@@ -69,11 +67,11 @@ double* CoarseMatrix::block(LocalIndex row, LocalIndex column_node) {
 
 namespace {
 template <int d>
-void add_elements(const mechanics::Scene& scene, const grid::BackgroundGrid& grid, const bonds::BondGraph& graph,
+void add_elements(const medium::Model& model, const grid::BackgroundGrid& grid, const bonds::BondGraph& graph,
                   double bulk_limit, const std::vector<double>& shear_left, CoarseMatrix& matrix) {
-  const body::Body& body = scene.body();
+  const body::Body& body = model.body();
   const std::array<double, 3>& size = grid.cells().size();
-  const Moduli moduli(scene, graph);
+  const Moduli moduli(model, graph);
   const auto stiffness = std::make_unique<grid::ElementStiffness<d>>(size);
   typename grid::ElementStiffness<d>::Blocks blocks;
   grid::CellMoments<d> moments;
@@ -103,15 +101,15 @@ void add_elements(const mechanics::Scene& scene, const grid::BackgroundGrid& gri
 }
 }  // namespace
 
-CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const grid::BackgroundGrid& grid,
+CoarseMatrix coarse_elasticity(const medium::Model& model, const grid::BackgroundGrid& grid,
                                const bonds::BondGraph& graph, double bulk_limit,
                                const std::vector<double>& shear_left) {
   CoarseMatrix matrix = pattern(grid);
-  (grid.dimension() == 3 ? add_elements<3> : add_elements<2>)(scene, grid, graph, bulk_limit, shear_left, matrix);
+  (grid.dimension() == 3 ? add_elements<3> : add_elements<2>)(model, grid, graph, bulk_limit, shear_left, matrix);
   return matrix;
 }
 
-void add_springs(const mechanics::Scene& scene, const grid::BackgroundGrid& grid, const std::vector<double>& stiffness,
+void add_springs(const medium::Model& model, const grid::BackgroundGrid& grid, const std::vector<double>& stiffness,
                  CoarseMatrix& matrix) {
   const int d = grid.dimension(), corners = grid.cells().corners();
   std::array<double, 8> shape{};
@@ -120,7 +118,7 @@ void add_springs(const mechanics::Scene& scene, const grid::BackgroundGrid& grid
       const LocalIndex i = grid.particle(k);
       const double* springs = &stiffness[static_cast<std::size_t>(i) * static_cast<std::size_t>(d)];
       if (std::all_of(springs, springs + d, [](double s) { return s == 0; })) continue;
-      grid.shape_values(element, scene.body().position(i), shape.data());
+      grid.shape_values(element, model.body().position(i), shape.data());
       for (int a = 0; a < corners; ++a)
         for (int b = 0; b < corners; ++b) {
           double* block = matrix.block(element.node[a], element.node[b]);

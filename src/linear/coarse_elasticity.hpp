@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "perinox/grid/background_grid.hpp"
-#include "perinox/mechanics/scene.hpp"
+#include "perinox/medium/model.hpp"
 
 namespace perinox::linear {
 
@@ -26,12 +26,12 @@ struct CoarseMatrix {
 /// kappa counts up to bulk_limit mu: beyond it the coarse solve loses its quality, and the fine level's nonlocal
 /// dilatation is not that stiff anyway.
 /// shear_left: factor of every particle's mu, [owned]; empty: 1.
-CoarseMatrix coarse_elasticity(const mechanics::Scene& scene, const grid::BackgroundGrid& grid,
+CoarseMatrix coarse_elasticity(const medium::Model& model, const grid::BackgroundGrid& grid,
                                const bonds::BondGraph& graph, double bulk_limit, const std::vector<double>& shear_left);
 
 /// Adds springs to the ground at particles: c -> sum_u stiffness_u (P c)_u^2, P without its zeros on prescribed
 /// unknowns. stiffness: [owned * dimension], zero where there is none.
-void add_springs(const mechanics::Scene& scene, const grid::BackgroundGrid& grid, const std::vector<double>& stiffness,
+void add_springs(const medium::Model& model, const grid::BackgroundGrid& grid, const std::vector<double>& stiffness,
                  CoarseMatrix& matrix);
 
 }  // namespace perinox::linear

@@ -1,6 +1,6 @@
 #pragma once
 #include "owned_operator.hpp"
-#include "perinox/mechanics/tangent.hpp"
+#include "perinox/medium/tangent.hpp"
 
 namespace perinox::linear {
 
@@ -9,12 +9,12 @@ namespace perinox::linear {
 class MaskedTangent : public OwnedOperator {
  public:
   /// tangent, prescribed [at least owned * dimension]: kept by reference.
-  MaskedTangent(Teuchos::RCP<const tpetra::Map> map, const mechanics::Tangent& tangent,
+  MaskedTangent(Teuchos::RCP<const tpetra::Map> map, const medium::Tangent& tangent,
                 const std::vector<char>& prescribed)
       : OwnedOperator(std::move(map)), tangent_(tangent), prescribed_(prescribed) {}
 
   void multiply(const double* x, double* y) const override {
-    const std::size_t unknowns = tangent_.scene().owned_unknowns();
+    const std::size_t unknowns = getDomainMap()->getNodeNumElements();
     free_.assign(x, x + unknowns);
     for (std::size_t u = 0; u < unknowns; ++u)
       if (prescribed_[u]) free_[u] = 0;
@@ -29,7 +29,7 @@ class MaskedTangent : public OwnedOperator {
   double diagonal = 1, shift = 0;
 
  private:
-  const mechanics::Tangent& tangent_;
+  const medium::Tangent& tangent_;
   const std::vector<char>& prescribed_;
   mutable std::vector<double> free_;
 };

@@ -71,94 +71,101 @@ Teuchos::RCP<Ifpack2::Preconditioner<double, LocalIndex, GlobalId>> make_sparse(
 
 }  // namespace
 
-TangentSystem::TangentSystem(const mechanics::Scene& scene, const std::vector<char>& prescribed,
-                             const deck::Solver& solver, std::shared_ptr<mechanics::Evaluation> evaluation)
-    : scene_(scene),
+TangentSystem::TangentSystem(medium::Medium& medium, const std::vector<char>& prescribed, const deck::Solver& solver)
+    : model_(medium.model()),
       prescribed_(prescribed),
       solver_(solver),
-      map_(mechanics::unknowns_map(scene.body())),
-      blocks_(scene.owned_unknowns() * static_cast<std::size_t>(scene.dimension())) {
-  bonds_broken_ = scene.body().communicator.sum(static_cast<long long>(scene.broken().size()));
-  const bool assembled = solver_.assembled();
-  Profile& profile = scene.body().communicator.profile();
+      map_(medium::unknowns_map(model_.body())),
+      blocks_(model_.owned_unknowns() * static_cast<std::size_t>(model_.dimension())) {
+  bonds_broken_ = model_.body().communicator.sum(model_.bonds_gone());
+  Profile& profile = model_.body().communicator.profile();
+  const bool assembled = solver_.assembled(), coarse = model_.local_elasticity().has_value();
   deck::Preconditioner& kind = solver_.linear.preconditioner;
   if (kind == deck::Preconditioner::automatic)
-    kind = assembled                         ? deck::Preconditioner::symmetric_gauss_seidel
-           : TwoLevel::worth_its_cost(scene) ? deck::Preconditioner::two_level
-                                             : deck::Preconditioner::block_jacobi;
+    kind = assembled                                    ? deck::Preconditioner::symmetric_gauss_seidel
+           : coarse && TwoLevel::worth_its_cost(model_) ? deck::Preconditioner::two_level
+                                                        : deck::Preconditioner::block_jacobi;
   if (assembled) {
-    auto stored = std::make_unique<mechanics::StoredTangent>(scene);
-    stored_ = stored.get();
-    tangent_ = std::move(stored);
+    auto sparse = medium.make_sparse_tangent(solver_.form, prescribed_);
+    assembled_ = sparse.get();
+    tangent_ = std::move(sparse);
   } else {
-    tangent_ = mechanics::make_tangent(scene, solver_.form, std::move(evaluation));
+    tangent_ = medium.make_tangent(solver_.form);
   }
   masked_ = Teuchos::rcp(new MaskedTangent(map_, *tangent_, prescribed_));
   operator_ = masked_;
-  if (assembled) {
-    assembled_ = std::make_unique<mechanics::AssembledTangent>(scene, prescribed_);
-    operator_ = Teuchos::rcp(new TimedOperator(assembled_->matrix(), profile, Section::product));
-  }
-  if (solver_.linear.method == deck::LinearMethod::direct) {
-    if (!assembled_) throw std::logic_error("a direct solve without the assembled matrix: the deck refuses it");
-    direct_ = Teuchos::rcp(new DirectSolve(assembled_->matrix(), scene.body().communicator));
-    preconditioner_ = direct_;
-  } else if (kind == deck::Preconditioner::block_jacobi) {
-    block_jacobi_ = Teuchos::rcp(new BlockJacobi(map_, scene.dimension(), prescribed_));
-    preconditioner_ = block_jacobi_;
-  } else if (kind == deck::Preconditioner::two_level) {
-    two_level_ = Teuchos::rcp(new TwoLevel(map_, scene, prescribed_, scene.bond_graph(), {}));
-    dilatation_share_ = TwoLevel::dilatation_share(scene);
-    preconditioner_ = two_level_;
-  } else if (kind != deck::Preconditioner::none) {
-    if (!assembled_)
-      throw std::logic_error("a sparse preconditioner without the assembled matrix: the deck refuses it");
-    sparse_ = std::make_unique<Sparse>();
-    sparse_->preconditioner = make_sparse(kind, assembled_->matrix());
-    preconditioner_ = sparse_->preconditioner;
-  }
-  const int steps = solver_.linear.chebyshev_steps > 0 ? solver_.linear.chebyshev_steps
-                    : two_level_                       ? chebyshev_steps(scene)
-                                                       : 1;
-  if (steps > 1 && (two_level_ || block_jacobi_)) {
-    const OwnedOperator& one_step = two_level_ ? static_cast<const OwnedOperator&>(*two_level_) : *block_jacobi_;
-    accelerated_ = Teuchos::rcp(new ChebyshevAcceleration(map_, scene.body(), prescribed_, *masked_, one_step, steps));
-    preconditioner_ = accelerated_;
-  }
+  if (assembled_) operator_ = Teuchos::rcp(new TimedOperator(assembled_->matrix(), profile, Section::product));
+  preconditioner_ = make_preconditioner();
   if (!preconditioner_.is_null())
     preconditioner_ = Teuchos::rcp(new TimedOperator(preconditioner_, profile, Section::preconditioner));
 }
 
+/// Null where none is asked for.
+Teuchos::RCP<tpetra::Operator> TangentSystem::make_preconditioner() {
+  const deck::Preconditioner kind = solver_.linear.preconditioner;
+  const Communicator& ranks = model_.body().communicator;
+  if (solver_.linear.method == deck::LinearMethod::direct) {
+    if (!assembled_) throw std::logic_error("a direct solve without the assembled matrix: the deck refuses it");
+    direct_ = Teuchos::rcp(new DirectSolve(assembled_->matrix(), ranks));
+    return direct_;
+  }
+  if (kind == deck::Preconditioner::none) return Teuchos::null;
+  if (kind == deck::Preconditioner::block_jacobi) {
+    block_jacobi_ = Teuchos::rcp(new BlockJacobi(map_, model_.dimension(), prescribed_));
+  } else if (kind == deck::Preconditioner::two_level) {
+    if (!model_.local_elasticity())
+      throw std::logic_error("a two-level preconditioner of a medium that knows no elastic moduli");
+    two_level_ = Teuchos::rcp(new TwoLevel(map_, model_, prescribed_, model_.bond_graph(), {}));
+    dilatation_share_ = TwoLevel::dilatation_share(model_);
+  } else {
+    if (!assembled_)
+      throw std::logic_error("a sparse preconditioner without the assembled matrix: the deck refuses it");
+    sparse_ = std::make_unique<Sparse>();
+    sparse_->preconditioner = make_sparse(kind, assembled_->matrix());
+    return sparse_->preconditioner;
+  }
+  const OwnedOperator& one_step = two_level_ ? static_cast<const OwnedOperator&>(*two_level_) : *block_jacobi_;
+  const int steps = solver_.linear.chebyshev_steps > 0 ? solver_.linear.chebyshev_steps
+                    : two_level_                       ? chebyshev_steps(model_)
+                                                       : 1;
+  if (steps > 1) {
+    accelerated_ = Teuchos::rcp(new ChebyshevAcceleration(map_, model_.body(), prescribed_, *masked_, one_step, steps));
+    return accelerated_;
+  }
+  if (two_level_) return two_level_;
+  return block_jacobi_;
+}
+
 TangentSystem::~TangentSystem() = default;
 
-bool TangentSystem::symmetric() const { return scene_.symmetric(); }
+bool TangentSystem::symmetric() const { return model_.symmetric(); }
 std::string TangentSystem::preconditioner_name() const {
   if (direct_) return "direct";
   return name_of(solver_.linear.preconditioner);
 }
 
-void TangentSystem::update(const mechanics::Committed& committed, const medium::At& at) {
-  Profile& profile = scene_.body().communicator.profile();
+void TangentSystem::update(const medium::At& at) {
+  Profile& profile = model_.body().communicator.profile();
   const Profile::Scope timed(profile, Section::linearise);
-  if (!tangent_->linearise(committed, at, solver_.form)) return;
+  if (!tangent_->linearise(at)) return;
   preconditioner_current_ = false;
   tangent_->diagonal_blocks(blocks_.data());
-  const int d = scene_.dimension();
+  const int d = model_.dimension();
   double square = 0, count = 0;
-  for (std::size_t u = 0; u < scene_.owned_unknowns(); ++u) {
+  for (std::size_t u = 0; u < model_.owned_unknowns(); ++u) {
     if (prescribed_[u]) continue;
     const double value = blocks_[u * d + u % d];
     square += value * value;
     count += 1;
   }
   std::vector<double> sums{square, count};
-  scene_.body().communicator.sum(sums);
+  model_.body().communicator.sum(sums);
   stiffness_scale_ = sums[1] > 0 && sums[0] > 0 ? std::sqrt(sums[0] / sums[1]) : 1;
   masked_->diagonal = stiffness_scale_;
   if (dilatation_share_ != 1) tangent_->diagonal_blocks(blocks_.data(), dilatation_share_);
   if (!assembled_) return;
   const Profile::Scope filling(profile, Section::assembly);
-  assembled_->fill(*stored_, stiffness_scale_);
+  assembled_->fill(stiffness_scale_);
 }
 
 void TangentSystem::shift(double share) { masked_->shift = share; }
@@ -183,7 +190,7 @@ void TangentSystem::restore(StateReader& reader) {
 void TangentSystem::update_preconditioner() {
   if (preconditioner_current_) return;
   preconditioner_current_ = true;
-  const Profile::Scope timed(scene_.body().communicator.profile(), Section::preconditioner);
+  const Profile::Scope timed(model_.body().communicator.profile(), Section::preconditioner);
   if (direct_) direct_->factorise();
   if (block_jacobi_) block_jacobi_->set(blocks_, stiffness_scale_);
   const bool renewed = two_level_ && two_level_->set(blocks_, stiffness_scale_, tangent_->shear_left());

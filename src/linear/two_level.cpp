@@ -18,44 +18,44 @@ constexpr double grounding = 1e-10;
 constexpr double least_spring = 0.1;
 
 /// Below two spacings a cell would have about as many unknowns as its particles.
-double cell_edge(const mechanics::Scene& scene, const TwoLevel::Settings& settings) {
-  const double over_horizon = finer_cells_pay(scene) ? settings.finer_cell : settings.cell;
-  const body::Body& body = scene.body();
+double cell_edge(const medium::Model& model, const TwoLevel::Settings& settings) {
+  const double over_horizon = finer_cells_pay(model) ? settings.finer_cell : settings.cell;
+  const body::Body& body = model.body();
   double volume = 0;
   for (LocalIndex i = 0; i < body.owned; ++i) volume += body.volume[i];
   const double spacing =
       std::pow(body.communicator.sum(volume) / static_cast<double>(body.total), 1.0 / body.dimension);
-  return std::max(over_horizon * scene.families().horizon, 2 * spacing);
+  return std::max(over_horizon * model.horizon(), 2 * spacing);
 }
 
 }  // namespace
 
-bool TwoLevel::worth_its_cost(const mechanics::Scene& scene) {
-  const grid::Cells cells(scene.body(), cell_edge(scene, Settings()));
+bool TwoLevel::worth_its_cost(const medium::Model& model) {
+  const grid::Cells cells(model.body(), cell_edge(model, Settings()));
   return *std::max_element(cells.counts().begin(), cells.counts().end()) > 2;
 }
 
-double TwoLevel::dilatation_share(const mechanics::Scene& scene) {
+double TwoLevel::dilatation_share(const medium::Model& model) {
   // Most fields that D has to deal with change no volume: with all of the dilatation it is too stiff for them. The best
   // shares found are 0.5 for kappa/mu = 50 (nu = 0.49) and 0.1 for 500 (0.499).
-  return std::min(1.0, std::pow(18 / largest_bulk_over_shear(scene), 0.7));
+  return std::min(1.0, std::pow(18 / largest_bulk_over_shear(model), 0.7));
 }
 
-TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene,
-                   const std::vector<char>& prescribed, const bonds::BondGraph& graph, const Settings& settings)
+TwoLevel::TwoLevel(Teuchos::RCP<const tpetra::Map> map, const medium::Model& model, const std::vector<char>& prescribed,
+                   const bonds::BondGraph& graph, const Settings& settings)
     : OwnedOperator(map),
-      scene_(scene),
+      model_(model),
       prescribed_(prescribed),
       graph_(graph),
       settings_(settings),
-      block_jacobi_(map, scene.dimension(), prescribed),
-      grid_(scene.body(), prescribed, scene.families().damage, graph, cell_edge(scene, settings)),
+      block_jacobi_(map, model.dimension(), prescribed),
+      grid_(model.body(), prescribed, *model.local_elasticity()->damage, graph, cell_edge(model, settings)),
       right_(grid_.unknowns()),
       solution_(grid_.unknowns()) {}
 
 /// Collective, as every rank has to make A_c anew or none.
 bool TwoLevel::softened(const std::vector<double>& shear_left) const {
-  const body::Body& body = scene_.body();
+  const body::Body& body = model_.body();
   std::vector<double> sums{0, 0};
   for (LocalIndex i = 0; i < body.owned; ++i) {
     const double left = shear_left.empty() ? 1 : shear_left[i], built = shear_left_.empty() ? 1 : shear_left_[i];
@@ -70,10 +70,10 @@ std::vector<double> TwoLevel::springs(const std::vector<double>& blocks) const {
   // A function that is constant c but zero on prescribed unknowns has the energy c^2/2 times the stiffness of all bonds
   // between prescribed and free particles: what a smooth field on the grid does not know of. It goes to the prescribed
   // ends, each with its own diagonal stiffness times the share of its neighbours that are free.
-  const auto d = static_cast<std::size_t>(scene_.dimension());
-  std::vector<double> stiffness(scene_.owned_unknowns(), 0.0);
+  const auto d = static_cast<std::size_t>(model_.dimension());
+  std::vector<double> stiffness(model_.owned_unknowns(), 0.0);
   std::vector<LocalIndex> neighbors;
-  for (LocalIndex i = 0; i < scene_.owned(); ++i) {
+  for (LocalIndex i = 0; i < model_.owned(); ++i) {
     const std::size_t first = static_cast<std::size_t>(i) * d;
     if (std::none_of(&prescribed_[first], &prescribed_[first] + d, [](char held) { return held != 0; })) continue;
     graph_(i, neighbors);
@@ -92,7 +92,7 @@ bool TwoLevel::set(const std::vector<double>& blocks, double diagonal, const std
   block_jacobi_.set(blocks, diagonal);
   if (solver_ && !softened(shear_left)) return false;
   shear_left_ = shear_left;
-  if (!graph_) graph_ = scene_.bond_graph();
+  if (!graph_) graph_ = model_.bond_graph();
   springs_ = springs(blocks);
   make_coarse();
   return true;
@@ -100,39 +100,39 @@ bool TwoLevel::set(const std::vector<double>& blocks, double diagonal, const std
 
 void TwoLevel::save(StateWriter& writer) const {
   if (!solver_) return;
-  const std::vector<double> all(static_cast<std::size_t>(scene_.owned()), 1.0);
-  writer.particles("tangent/coarse_springs", springs_.data(), scene_.dimension());
+  const std::vector<double> all(static_cast<std::size_t>(model_.owned()), 1.0);
+  writer.particles("tangent/coarse_springs", springs_.data(), model_.dimension());
   writer.particles("tangent/coarse_shear_left", shear_left_.empty() ? all.data() : shear_left_.data(), 1);
   writer.integer("tangent/coarse_bonds_broken", bonds_broken_);
 }
 
 void TwoLevel::restore(StateReader& reader) {
   if (!reader.has("tangent/coarse_springs")) return;
-  springs_ = reader.particles("tangent/coarse_springs", scene_.dimension());
+  springs_ = reader.particles("tangent/coarse_springs", model_.dimension());
   shear_left_ = reader.particles("tangent/coarse_shear_left", 1);
   make_coarse();
 }
 
 void TwoLevel::make_coarse() {
-  if (!graph_) graph_ = scene_.bond_graph();
-  bonds_broken_ = scene_.body().communicator.sum(static_cast<long long>(scene_.broken().size()));
-  CoarseMatrix matrix = coarse_elasticity(scene_, grid_, graph_, settings_.bulk_limit, shear_left_);
-  add_springs(scene_, grid_, springs_, matrix);
+  if (!graph_) graph_ = model_.bond_graph();
+  bonds_broken_ = model_.body().communicator.sum(model_.bonds_gone());
+  CoarseMatrix matrix = coarse_elasticity(model_, grid_, graph_, settings_.bulk_limit, shear_left_);
+  add_springs(model_, grid_, springs_, matrix);
   for (std::size_t n = 0; n < grid_.node_ids().size(); ++n) {
     double* block = matrix.block(static_cast<LocalIndex>(n), static_cast<LocalIndex>(n));
     for (int c = 0; c < matrix.dimension; ++c) block[c * (matrix.dimension + 1)] *= 1 + grounding;
   }
-  solver_ = make_coarse_solver(scene_.body().communicator, grid_, std::move(matrix), settings_.smoothing,
+  solver_ = make_coarse_solver(model_.body().communicator, grid_, std::move(matrix), settings_.smoothing,
                                settings_.factorised_up_to);
   // Flow leaves a body soft in bands and along one direction at a point: a cycle, whose levels take the mean over ever
   // larger cells, solves for too little.
   double lost = 0, volume = 0;
-  for (LocalIndex i = 0; i < scene_.owned(); ++i) {
-    lost += shear_left_.empty() ? 0 : scene_.body().volume[i] * (1 - shear_left_[i]);
-    volume += scene_.body().volume[i];
+  for (LocalIndex i = 0; i < model_.owned(); ++i) {
+    lost += shear_left_.empty() ? 0 : model_.body().volume[i] * (1 - shear_left_[i]);
+    volume += model_.body().volume[i];
   }
   std::vector<double> sums{lost, volume};
-  scene_.body().communicator.sum(sums);
+  model_.body().communicator.sum(sums);
   weight_ = settings_.weight * (solver_->exact() ? 1 : 1 + sums[0] / sums[1]);
   graph_ = nullptr;  // may hold a word a bond
 }

@@ -26,13 +26,13 @@ class TwoLevel : public OwnedOperator {
   };
 
   /// False for a body of two cells at most on every axis: D alone does as well there. Collective.
-  static bool worth_its_cost(const mechanics::Scene& scene);
+  static bool worth_its_cost(const medium::Model& model);
 
   /// What of the tangent's stiffness against dilatation belongs in the diagonal blocks given to set(). Collective.
-  static double dilatation_share(const mechanics::Scene& scene);
+  static double dilatation_share(const medium::Model& model);
 
-  /// prescribed: [local * dimension], ghosts up to date; kept by reference, as is the scene. Collective.
-  TwoLevel(Teuchos::RCP<const tpetra::Map> map, const mechanics::Scene& scene, const std::vector<char>& prescribed,
+  /// prescribed: [local * dimension], ghosts up to date; kept by reference, as is the model. Collective.
+  TwoLevel(Teuchos::RCP<const tpetra::Map> map, const medium::Model& model, const std::vector<char>& prescribed,
            const bonds::BondGraph& graph, const Settings& settings);
 
   /// Takes the tangent's diagonal blocks [owned * dimension^2], row-major, with `diagonal` on prescribed unknowns, and
@@ -60,7 +60,7 @@ class TwoLevel : public OwnedOperator {
   /// Makes A_c of springs_ and shear_left_.
   void make_coarse();
 
-  const mechanics::Scene& scene_;
+  const medium::Model& model_;
   const std::vector<char>& prescribed_;
   bonds::BondGraph graph_;          ///< until A_c is first made
   std::vector<double> shear_left_;  ///< of A_c

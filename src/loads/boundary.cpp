@@ -33,11 +33,11 @@ std::string remark_on(const body::FieldTable& table, const deck::Load& load, con
 }
 }  // namespace
 
-Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scene_(scene) {
-  const body::Body& body = scene.body();
+Boundary::Boundary(const deck::Deck& deck, const medium::Model& model) : model_(model) {
+  const body::Body& body = model.body();
   const int d = body.dimension;
-  std::vector<double> mark(scene.local_unknowns(), 0.0);
-  std::vector<int> prescriber(scene.owned_unknowns(), -1);
+  std::vector<double> mark(model.local_unknowns(), 0.0);
+  std::vector<int> prescriber(model.owned_unknowns(), -1);
 
   for (const deck::Load& load : deck.boundary) {
     Entry entry{&load, &body.sets.at(load.set), std::nullopt, 0};
@@ -88,13 +88,13 @@ Boundary::Boundary(const deck::Deck& deck, const mechanics::Scene& scene) : scen
       deck::refuse(
           deck.resolved.at("boundary").location(),
           "nothing holds the body: no displacement is prescribed anywhere; add a boundary entry with displacement");
-    refuse_free_pieces(deck, scene, prescribed_);
+    refuse_free_pieces(deck, model, prescribed_);
   } else {
-    scene_.body().communicator.agree_on_input_error(first_not_finite(0));
+    model_.body().communicator.agree_on_input_error(first_not_finite(0));
   }
-  scene_.body().communicator.agree_on_input_error(
+  model_.body().communicator.agree_on_input_error(
       first_not_finite(deck.steps.count > 0 ? deck.steps.end / deck.steps.count : deck.steps.end));
-  scene_.body().communicator.agree_on_input_error(first_not_finite(deck.steps.end));
+  model_.body().communicator.agree_on_input_error(first_not_finite(deck.steps.end));
   keep_steady_values();
   remark_on_reversals(deck);
 }
@@ -121,21 +121,21 @@ double Boundary::value_of(const Entry& entry, int component, std::size_t k, doub
 }
 
 void Boundary::count_unknowns() {
-  const auto end = prescribed_.begin() + static_cast<std::ptrdiff_t>(scene_.owned_unknowns());
-  prescribed_count_ = scene_.body().communicator.sum(static_cast<long long>(std::count(prescribed_.begin(), end, 1)));
-  free_count_ = scene_.body().total * scene_.dimension() - prescribed_count_;
+  const auto end = prescribed_.begin() + static_cast<std::ptrdiff_t>(model_.owned_unknowns());
+  prescribed_count_ = model_.body().communicator.sum(static_cast<long long>(std::count(prescribed_.begin(), end, 1)));
+  free_count_ = model_.body().total * model_.dimension() - prescribed_count_;
 }
 
 void Boundary::let_go(const std::vector<char>& loose) {
-  const int d = scene_.dimension();
+  const int d = model_.dimension();
   std::vector<double> mark(prescribed_.begin(), prescribed_.end());
-  loose_.resize(static_cast<std::size_t>(scene_.owned()), 0);
-  for (LocalIndex i = 0; i < scene_.owned(); ++i) {
+  loose_.resize(static_cast<std::size_t>(model_.owned()), 0);
+  for (LocalIndex i = 0; i < model_.owned(); ++i) {
     if (!loose[i]) continue;
     loose_[i] = 1;
     std::fill_n(mark.begin() + static_cast<std::ptrdiff_t>(i) * d, d, 1.0);
   }
-  scene_.body().halo.update_ghosts(mark.data(), d);
+  model_.body().halo.update_ghosts(mark.data(), d);
   std::transform(mark.begin(), mark.end(), prescribed_.begin(), [](double m) { return static_cast<char>(m != 0); });
   count_unknowns();
 }
@@ -143,22 +143,22 @@ void Boundary::let_go(const std::vector<char>& loose) {
 double Boundary::value(const Entry& entry, int component, LocalIndex i, double t) const {
   const auto& expression = entry.load->component[component];
   if (!expression) return 0;
-  const deck::Point x = scene_.body().position3(i);
+  const deck::Point x = model_.body().position3(i);
   return (*expression)(x[0], x[1], x[2], t);
 }
 
 std::string Boundary::not_finite(double t) const {
-  return first_sentence(scene_.body().communicator, first_not_finite(t));
+  return first_sentence(model_.body().communicator, first_not_finite(t));
 }
 
 std::string Boundary::first_not_finite(double t) const {
   for (const Entry& entry : entries_) {
     if (entry.table) continue;
     const bool pressure = entry.load->kind == deck::LoadKind::pressure;
-    for (int c = 0; c < (pressure ? 1 : scene_.dimension()); ++c)
+    for (int c = 0; c < (pressure ? 1 : model_.dimension()); ++c)
       for (const LocalIndex i : *entry.set) {
         if (std::isfinite(value(entry, c, i, t))) continue;
-        const deck::Point x = scene_.body().position3(i);
+        const deck::Point x = model_.body().position3(i);
         return fmt::format(
             "{}: the {} is not a finite number at ({:g}, {:g}, {:g}) for t = {:g}; check "
             "the formula {}",
@@ -170,7 +170,7 @@ std::string Boundary::first_not_finite(double t) const {
 }
 
 void Boundary::impose(double t, double* displacement) const {
-  const int d = scene_.dimension();
+  const int d = model_.dimension();
   for (const Entry& entry : entries_) {
     if (entry.load->kind != deck::LoadKind::displacement) continue;
     for (std::size_t k = 0; k < entry.set->size(); ++k) {
@@ -189,7 +189,7 @@ void Boundary::impose(double t, double* displacement) const {
 
 void Boundary::impose_velocity(double t, double* velocity) const {
   if (driven_by_velocity_.empty()) return;
-  const auto d = static_cast<std::size_t>(scene_.dimension());
+  const auto d = static_cast<std::size_t>(model_.dimension());
   for (const Entry& entry : entries_) {
     if (entry.load->kind != deck::LoadKind::velocity) continue;
     for (std::size_t k = 0; k < entry.set->size(); ++k)
@@ -202,8 +202,8 @@ void Boundary::impose_velocity(double t, double* velocity) const {
 }
 
 void Boundary::external_force(double t, double* force) const {
-  const int d = scene_.dimension();
-  std::fill(force, force + scene_.owned_unknowns(), 0.0);
+  const int d = model_.dimension();
+  std::fill(force, force + model_.owned_unknowns(), 0.0);
   for (const Entry& entry : entries_) {
     if (prescribes(entry.load->kind)) continue;
     if (on_surface(entry.load->kind)) {
@@ -214,7 +214,7 @@ void Boundary::external_force(double t, double* force) const {
     for (int c = 0; c < d; ++c) {
       if (!entry.load->component[c]) continue;
       for (const LocalIndex i : *entry.set) {
-        const double share = total ? scene_.body().volume[i] / entry.set_volume : scene_.body().volume[i];
+        const double share = total ? model_.body().volume[i] / entry.set_volume : model_.body().volume[i];
         force[static_cast<std::size_t>(i) * d + c] += share * value(entry, c, i, t);
       }
     }
@@ -222,7 +222,7 @@ void Boundary::external_force(double t, double* force) const {
 }
 
 void Boundary::add_surface_force(const Entry& entry, double t, double* force) const {
-  const auto d = static_cast<std::size_t>(scene_.dimension());
+  const auto d = static_cast<std::size_t>(model_.dimension());
   for (const body::FaceShare& face : entry.faces) {
     double* at = force + static_cast<std::size_t>(face.particle) * d;
     const deck::Point& x = face.center;

@@ -54,9 +54,9 @@ std::string name_of(const FreePiece& piece, const deck::Deck& deck, const body::
 
 }  // namespace
 
-void refuse_free_pieces(const deck::Deck& deck, const mechanics::Scene& scene, const std::vector<char>& prescribed) {
-  const body::Body& body = scene.body();
-  const bonds::Components components = bonds::connected_components(body, scene.bond_graph());
+void refuse_free_pieces(const deck::Deck& deck, const medium::Model& model, const std::vector<char>& prescribed) {
+  const body::Body& body = model.body();
+  const bonds::Components components = bonds::connected_components(body, model.bond_graph());
   const std::vector<FreePiece> free = find_free_pieces(body, components, prescribed);
   if (free.empty()) return;
   const FreePiece& piece = free.front();
@@ -69,7 +69,7 @@ void refuse_free_pieces(const deck::Deck& deck, const mechanics::Scene& scene, c
     sentence = fmt::format(
         "nothing holds {}: none of its displacements is prescribed and no bond joins it to the rest; prescribe some, "
         "or bring it nearer to the rest than the horizon {:g}",
-        name_of(piece, deck, body, components), scene.families().horizon);
+        name_of(piece, deck, body, components), model.horizon());
   }
   if (free.size() > 1)
     sentence +=

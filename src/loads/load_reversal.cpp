@@ -52,7 +52,7 @@ struct Boundary::LoadHistory {
 
   /// Its values on this rank at t.
   std::vector<double> at(double t) const {
-    const body::Body& body = boundary.scene_.body();
+    const body::Body& body = boundary.model_.body();
     const auto d = static_cast<std::size_t>(body.dimension);
     std::vector<double> values;
     if (entry.table) {
@@ -71,7 +71,7 @@ struct Boundary::LoadHistory {
     return values;
   }
   double product(const std::vector<double>& a, const std::vector<double>& b) const {
-    return uniform() ? dot(a, b) : boundary.scene_.body().communicator.sum(dot(a, b));
+    return uniform() ? dot(a, b) : boundary.model_.body().communicator.sum(dot(a, b));
   }
 
   /// Moments of the way from `from` to `to`, in its order, with one just before it if it is to begin as it came.
@@ -154,15 +154,10 @@ std::optional<double> Boundary::first_reversal(double from, double to, bool as_i
 }
 
 void Boundary::remark_on_reversals(const deck::Deck& deck) {
-  const auto remembers = [](const auto& material) {
-    const materials::HistoryLayout layout = material->history();
-    return !layout.point.empty() || layout.per_bond > 0;
-  };
-  const auto& materials = scene_.materials();
   const deck::Steps& steps = deck.steps;
   if (deck.dynamics != deck::Dynamics::quasi_static || steps.control != deck::Control::load || steps.count > most_steps)
     return;
-  if (!deck.breaks() && std::none_of(materials.begin(), materials.end(), remembers)) return;
+  if (!deck.breaks() && !model_.remembers()) return;
   const double each = static_cast<double>(parts) * steps.count;
   for (LoadHistory load : changing_loads()) {
     if (!load.uniform()) {

@@ -1,6 +1,5 @@
 #include "perinox/mechanics/assembled_tangent.hpp"
 
-#include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_CrsGraph.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Export.hpp>
@@ -8,23 +7,9 @@
 #include <algorithm>
 #include <array>
 
+#include "perinox/medium/tangent.hpp"
+
 namespace perinox::mechanics {
-
-namespace {
-
-Teuchos::RCP<const tpetra::Map> map_of(const body::Body& body, int count) {
-  Teuchos::Array<GlobalId> unknowns;
-  unknowns.reserve(static_cast<std::ptrdiff_t>(count) * body.dimension);
-  for (int i = 0; i < count; ++i)
-    for (int c = 0; c < body.dimension; ++c) unknowns.push_back(body.id[i] * body.dimension + c);
-  const auto comm = Teuchos::rcp(new Teuchos::MpiComm<int>(body.communicator.mpi()));
-  const auto invalid = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new tpetra::Map(invalid, unknowns(), 0, comm));
-}
-
-}  // namespace
-
-Teuchos::RCP<const tpetra::Map> unknowns_map(const body::Body& body) { return map_of(body, body.owned); }
 
 AssembledTangent::AssembledTangent(const Scene& scene, const std::vector<char>& prescribed)
     : scene_(scene), prescribed_(prescribed) {
@@ -44,8 +29,8 @@ AssembledTangent::AssembledTangent(const Scene& scene, const std::vector<char>& 
     }
   begin(local * d) = position;
 
-  const auto owned_map = unknowns_map(scene.body());
-  const auto local_map = map_of(scene.body(), scene.local());
+  const auto owned_map = medium::unknowns_map(scene.body());
+  const auto local_map = medium::local_unknowns_map(scene.body());
   auto graph = Teuchos::rcp(new tpetra::Graph(local_map, local_map, begin, columns));
   graph->fillComplete(owned_map, owned_map);
   contributions_ = Teuchos::rcp(new tpetra::Matrix(graph));

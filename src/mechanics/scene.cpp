@@ -34,7 +34,7 @@ void add_family(bonds::Bonds& bonds, std::vector<bonds::FoundBond>& family, cons
 
 Scene::Scene(body::Body body, const bonds::Bonds& bonds, std::vector<std::unique_ptr<materials::Material>> materials,
              Layout layout, bool small_strain)
-    : body_(std::move(body)), families_(bonds), materials_(std::move(materials)), small_strain_(small_strain) {
+    : Model(std::move(body)), families_(bonds), materials_(std::move(materials)), small_strain_(small_strain) {
   auto grid = layout == Layout::automatic ? bonds::find_grid(body_) : std::nullopt;
   if (grid) {
     lattice_ = std::make_unique<bonds::LatticeFamilies>(body_, std::move(*grid));
@@ -51,7 +51,7 @@ Scene::Scene(body::Body body, const bonds::Bonds& bonds, std::vector<std::unique
 
 Scene::Scene(const deck::Deck& deck, body::Body body, double horizon,
              std::vector<std::unique_ptr<materials::Material>> materials, Layout layout)
-    : body_(std::move(body)), materials_(std::move(materials)), small_strain_(deck.small_strain) {
+    : Model(std::move(body)), materials_(std::move(materials)), small_strain_(deck.small_strain) {
   auto grid = layout == Layout::automatic ? bonds::find_grid(body_) : std::nullopt;
   if (grid) {
     lattice_ = std::make_unique<bonds::LatticeFamilies>(body_, std::move(*grid));
@@ -268,6 +268,21 @@ const std::vector<double>& Scene::basis() const {
 
 bool Scene::symmetric() const {
   return std::all_of(materials_.begin(), materials_.end(), [](const auto& material) { return material->symmetric(); });
+}
+
+bool Scene::remembers() const {
+  return std::any_of(materials_.begin(), materials_.end(), [](const auto& material) {
+    const materials::HistoryLayout layout = material->history();
+    return !layout.point.empty() || layout.per_bond > 0;
+  });
+}
+
+std::optional<medium::LocalElasticity> Scene::local_elasticity() const {
+  medium::LocalElasticity elasticity;
+  for (const auto& material : materials_) elasticity.moduli.push_back(material->elastic_moduli(dimension()));
+  elasticity.regular = lattice_ != nullptr;
+  elasticity.damage = &families_.damage;
+  return elasticity;
 }
 
 std::vector<std::string> Scene::point_history_names() const {

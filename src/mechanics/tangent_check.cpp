@@ -54,7 +54,7 @@ double compare_assembled(const Scene& scene, const StoredTangent& tangent, const
                          const std::vector<double>& product) {
   AssembledTangent assembled(scene, std::vector<char>(scene.local_unknowns(), 0));
   assembled.fill(tangent, 1);
-  const auto map = unknowns_map(scene.body());
+  const auto map = medium::unknowns_map(scene.body());
   tpetra::Vector x(map), y(map);
   {
     const auto values = x.getLocalViewHost(Tpetra::Access::OverwriteAll);

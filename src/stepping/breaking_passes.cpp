@@ -33,15 +33,15 @@ void describe(const HandOver::Result& result, double rounding, MotionPhase& row)
 }  // namespace
 
 LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, equilibrium::NewtonResult& total) {
-  const Communicator& ranks = scene_.body().communicator;
+  const Communicator& ranks = model_.body().communicator;
   const auto most = std::max(1LL, static_cast<long long>(deck_.fracture.pass_share * static_cast<double>(bonds_)));
   const long long before_step = breaking_->broken();
   for (int pass = 1;; ++pass) {
     const bool too_many = pass > deck_.fracture.max_passes;
-    const fracture::BondBreaking::Result found = breaking_->break_worst(committed_, too_many ? 0 : most);
+    const fracture::BondBreaking::Result found = breaking_->break_worst(peridynamic_->committed(), too_many ? 0 : most);
     if (found.critical == 0) return {};
     const bool runs = motion_ && pass > 1 && found.worst > deck_.hand_over.overload;
-    const double t = committed_.t();
+    const double t = medium_.t();
     if (too_many)
       return {LostEquilibrium::passes,
               fmt::format("bonds still break after {} passes at t = {:.6g}", deck_.fracture.max_passes, t)};
@@ -49,16 +49,16 @@ LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, equilibrium::Newt
     ++passes_;
 
     const std::vector<char> loose_before = boundary_.loose();
-    const bool loose =
-        fracture::let_loose_go(scene_, boundary_, *breaking_, committed_.plastic(), {external_, external_}, observer)
-            .particles;
-    mechanics::Trial trial;
-    std::vector<double> force(scene_.owned_unknowns());
-    mechanics::internal_force(*evaluation_, committed_, committed_.at(), trial, force.data());
+    const bool loose = fracture::let_loose_go(peridynamic_->scene(), boundary_, *breaking_,
+                                              peridynamic_->committed().plastic(), {external_, external_}, observer)
+                           .particles;
+    std::vector<double> force(model_.owned_unknowns());
+    medium_.evaluate(t, medium_.at(), force.data());
+    const medium::Trial& trial = medium_.trial();
     // Flow that the break sets off is the next solve's, and what it dissipates is still stored.
     std::vector<double> sums{trial.stored + trial.dissipated,
-                             loads::loose_energy(scene_, loose_before, trial.stored_energy),
-                             loads::loose_energy(scene_, boundary_.loose(), trial.stored_energy)};
+                             loads::loose_energy(model_, loose_before, trial.stored_energy),
+                             loads::loose_energy(model_, boundary_.loose(), trial.stored_energy)};
     ranks.sum(sums);
     energies_.released += energies_.stored - (sums[0] - sums[1]);
     // What comes loose would fly off with what it stores.
@@ -74,17 +74,16 @@ LoadStepper::Loss LoadStepper::break_bonds(Observer& observer, equilibrium::Newt
     if (motion_ && static_cast<double>(in_step) > deck_.hand_over.broken_share * static_cast<double>(bonds_))
       return {LostEquilibrium::broken_share,
               fmt::format("{} bonds have broken in one load step, more than hand_over.broken_share", in_step)};
-    std::vector<double> guess(committed_.displacement().begin(),
-                              committed_.displacement().begin() + static_cast<std::ptrdiff_t>(force.size()));
-    const equilibrium::NewtonResult result = newton_.solve(committed_, t, step_, guess, observer, trial, force);
+    const equilibrium::NewtonResult result =
+        newton_.solve(t, step_, medium::owned_displacement(medium_), observer, force);
     total.newton_iterations += result.newton_iterations;
     total.linear_iterations += result.linear_iterations;
     if (!result.converged)
       return {LostEquilibrium::after_breaking, fmt::format("no equilibrium at t = {:.6g} once {} bonds have broken: {}",
                                                            t, breaking_->broken(), result.reason)};
-    if (converged_) converged_(committed_, trial);
+    if (converged_) converged_();
     const Energies before = energies_;
-    commit(std::move(trial), std::move(force));
+    commit(std::move(force));
     energies_.relaxed += energies_.lost_since(before);
   }
 }
@@ -100,13 +99,14 @@ void LoadStepper::begin_phase(Observer& observer, double t, const Loss& loss, do
   MotionPhase row;
   row.number = phase_.row.number + 1;
   row.step = step_;
-  row.t_begin = committed_.t();
+  row.t_begin = medium_.t();
   row.cause = loss.cause;
   row.reason = loss.reason;
   phase_.row = row;
   observer.phase_begins(row);
-  hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get(), passage_, evaluation_);
-  hand_over_->begin(std::move(committed_), t, patience);
+  hand_over_ = std::make_unique<HandOver>(deck_, peridynamic_->scene(), boundary_, breaking_.get(), passage_,
+                                          peridynamic_->evaluation());
+  hand_over_->begin(std::move(peridynamic_->committed()), t, patience);
 }
 
 std::string LoadStepper::finish_motion(Observer& observer, equilibrium::NewtonResult& total) {
@@ -114,7 +114,7 @@ std::string LoadStepper::finish_motion(Observer& observer, equilibrium::NewtonRe
     if (passing_) passing_(step_ - 1, t);
   };
   for (;;) {
-    const HandOver::Result result = hand_over_->run(committed_, observer, force_, external_, passing);
+    const HandOver::Result result = hand_over_->run(peridynamic_->committed(), observer, force_, external_, passing);
     const double more_patience = std::min(most_patience, 10 * hand_over_->patience());
     hand_over_.reset();
     total = phase_.total;
@@ -126,36 +126,32 @@ std::string LoadStepper::finish_motion(Observer& observer, equilibrium::NewtonRe
     if (motion_->phases++ == 0) motion_->cause = row.cause;
     motion_->phase_time += result.time;
     motion_->phase_energy += e.damped + e.kinetic + e.contact;
-    row.t_end = committed_.t();
-    describe(result, energy_of_rounding(scene_, committed_.displacement(), boundary_.loose()), row);
+    row.t_end = medium_.t();
+    describe(result, energy_of_rounding(model_, medium_.displacement(), boundary_.loose()), row);
     observer.phase_ended(row);
     if (!result.at_rest) return result.reason;
     newton_.bonds_changed(true);
-    control_->jumped(committed_.t());
+    control_->jumped(medium_.t());
 
-    mechanics::Trial trial;
     std::vector<double> force;
-    const std::vector<double> guess(
-        committed_.displacement().begin(),
-        committed_.displacement().begin() + static_cast<std::ptrdiff_t>(scene_.owned_unknowns()));
     const equilibrium::NewtonResult found =
-        newton_.solve(committed_, committed_.t(), step_, guess, observer, trial, force);
+        newton_.solve(medium_.t(), step_, medium::owned_displacement(medium_), observer, force);
     total.newton_iterations += found.newton_iterations;
     total.linear_iterations += found.linear_iterations;
     Loss loss{LostEquilibrium::newton, found.reason};
     if (found.converged) {
       const Energies before = energies_;
-      commit(std::move(trial), std::move(force));
+      commit(std::move(force));
       energies_.damped += energies_.lost_since(before);
       loss = breaking_ ? break_bonds(observer, total) : Loss();
       total.converged = true;
       if (loss.cause == LostEquilibrium::no) return "";
     }
     if (motion_->phases == most_phases)
-      return fmt::format("no equilibrium at t = {:.6g} after going on in time {} times: {}", committed_.t(),
-                         most_phases, loss.reason);
+      return fmt::format("no equilibrium at t = {:.6g} after going on in time {} times: {}", medium_.t(), most_phases,
+                         loss.reason);
     phase_.total = total;
-    begin_phase(observer, committed_.t(), loss, found.converged ? 1 : more_patience);
+    begin_phase(observer, medium_.t(), loss, found.converged ? 1 : more_patience);
   }
 }
 

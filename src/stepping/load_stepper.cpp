@@ -11,40 +11,47 @@
 #include "perinox/core/error.hpp"
 #include "perinox/equilibrium/arc_length.hpp"
 #include "perinox/loads/parts.hpp"
-#include "perinox/mechanics/path_work.hpp"
 
 namespace perinox::stepping {
 
 std::unique_ptr<equilibrium::StepControl> LoadStepper::make_control() {
   if (deck_.steps.control == deck::Control::arc_length)
-    return std::make_unique<equilibrium::ArcLength>(deck_, scene_, boundary_, newton_, *evaluation_);
-  return std::make_unique<equilibrium::LoadSteps>(deck_, scene_, boundary_, newton_);
+    return std::make_unique<equilibrium::ArcLength>(deck_, medium_, boundary_, newton_);
+  return std::make_unique<equilibrium::LoadSteps>(deck_, medium_, boundary_, newton_);
 }
 
-LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
+LoadStepper::LoadStepper(const deck::Deck& deck, medium::Medium& medium)
     : deck_(deck),
-      scene_(scene),
-      boundary_(deck, scene),
-      evaluation_(std::make_shared<mechanics::Evaluation>(scene)),
-      newton_(deck, scene, boundary_, evaluation_),
+      medium_(medium),
+      peridynamic_(dynamic_cast<mechanics::PeridynamicMedium*>(&medium)),
+      model_(medium.model()),
+      boundary_(deck, model_),
+      newton_(deck, medium, boundary_),
       control_(make_control()),
-      committed_(scene),
-      force_(scene.owned_unknowns(), 0.0),
-      external_(scene.owned_unknowns(), 0.0),
-      dilatation_(static_cast<std::size_t>(scene.owned()), 0.0),
-      stored_energy_(static_cast<std::size_t>(scene.owned()), 0.0),
-      records_(deck, scene),
-      validity_(deck, scene) {
+      force_(model_.owned_unknowns(), 0.0),
+      external_(model_.owned_unknowns(), 0.0),
+      records_(deck, model_) {
+  if (peridynamic_) validity_ = std::make_unique<Validity>(deck, peridynamic_->scene());
   if (deck.may_move()) motion_.emplace();
-  if (deck.breaks()) breaking_ = std::make_unique<fracture::BondBreaking>(deck, scene, evaluation_);
-  if (!motion_ && !breaking_) return;
+  if (!deck.breaks() && !motion_) return;
+  if (!peridynamic_) throw std::logic_error("only a peridynamic medium can break or go on in time");
+  mechanics::Scene& scene = peridynamic_->scene();
+  if (deck.breaks()) breaking_ = std::make_unique<fracture::BondBreaking>(deck, scene, peridynamic_->evaluation());
   const loads::Parts parts = loads::find_parts(deck, scene, boundary_);
   if (motion_) passage_ = passage_time(deck, scene, parts);
   bonds_ = loads::moving_bonds(scene, parts);
 }
 
+LoadStepper::LoadStepper(const deck::Deck& deck, std::unique_ptr<mechanics::PeridynamicMedium> own)
+    : LoadStepper(deck, *own) {
+  own_ = std::move(own);
+}
+
+LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
+    : LoadStepper(deck, std::make_unique<mechanics::PeridynamicMedium>(scene, deck.output.fields)) {}
+
 void LoadStepper::run(Observer& observer) {
-  const Communicator& ranks = scene_.body().communicator;
+  const Communicator& ranks = model_.body().communicator;
   const double begin = now();
   const double done_before = step_ > 0 ? control_->share() : 0;
   step_begin_ = begin - phase_.seconds;
@@ -58,7 +65,7 @@ void LoadStepper::run(Observer& observer) {
     equilibrium::NewtonResult result;
     if (!advance(observer, result)) continue;
     last_result_ = result;
-    validity_.look(committed_, step_, boundary_.loose(), observer);
+    if (validity_) validity_->look(peridynamic_->committed(), step_, boundary_.loose(), observer);
     const bool last = control_->finished();
     StepRecord row = record(result, last || step_ % deck_.output.every == 0);
     row.seconds = now() - step_begin_;
@@ -80,23 +87,22 @@ bool LoadStepper::go_down(Observer& observer, double t, equilibrium::NewtonResul
                         result.failure == linear::Failure::linear_iterations;
   if (deck_.steps.control != deck::Control::load || !deck_.steps.adaptive || !unstable) return false;
   observer.note(fmt::format("no stable equilibrium is near: goes down in energy at t = {:.6g}", t));
-  mechanics::Trial trial;
   std::vector<double> force;
-  const equilibrium::NewtonResult found = newton_.descend(committed_, t, step_ + 1, observer, trial, force);
+  const equilibrium::NewtonResult found = newton_.descend(t, step_ + 1, observer, force);
   if (!found.converged) {
     if (!found.reason.empty()) result.reason += "; " + found.reason;
     return false;
   }
   result = found;
-  if (converged_) converged_(committed_, trial);
+  if (converged_) converged_();
   begin_step();
-  control_->accept(committed_, trial);
+  control_->accept();
   const Energies before = energies_;
-  commit(std::move(trial), std::move(force));
+  commit(std::move(force));
   const double lost = energies_.lost_since(before);
   energies_.relaxed += lost;
   observer.note(fmt::format("a stable equilibrium at t = {:.6g}: {:.4g} of energy lost on the way", t, lost));
-  control_->jumped(committed_.t());
+  control_->jumped(medium_.t());
   settle(observer, result);
   return true;
 }
@@ -116,11 +122,10 @@ bool LoadStepper::advance(Observer& observer, equilibrium::NewtonResult& result)
     if (!reason.empty()) lost_equilibrium(observer, reason, result);
     return true;
   }
-  mechanics::Trial trial;
   std::vector<double> force;
-  result = control_->attempt(committed_, step_ + 1, observer, trial, force);
-  if (result.converged && scene_.small_strain() &&
-      loads::moves_beyond_small(scene_, boundary_, trial.displacement.data())) {
+  result = control_->attempt(step_ + 1, observer, force);
+  if (result.converged && model_.small_strain() &&
+      loads::moves_beyond_small(model_, boundary_, medium_.trial().displacement.data())) {
     result.converged = false;
     result.failure = linear::Failure::other;
     result.reason =
@@ -130,7 +135,7 @@ bool LoadStepper::advance(Observer& observer, equilibrium::NewtonResult& result)
   }
   if (!result.converged) {
     const double tried = control_->tried();
-    observer.step_rejected(committed_.t(), tried, result.reason);
+    observer.step_rejected(medium_.t(), tried, result.reason);
     if (control_->cut()) return false;
     if (!motion_) {
       if (!go_down(observer, tried, result)) stop(observer, tried, result);
@@ -142,16 +147,16 @@ bool LoadStepper::advance(Observer& observer, equilibrium::NewtonResult& result)
     if (!reason.empty()) lost_equilibrium(observer, reason, result);
     return true;
   }
-  if (converged_) converged_(committed_, trial);
+  if (converged_) converged_();
   begin_step();
-  control_->accept(committed_, trial);
-  commit(std::move(trial), std::move(force), true);
+  control_->accept();
+  commit(std::move(force), true);
   if (lost_by_snapping_ > 0)
     observer.note(
         fmt::format("warning: snaps to another equilibrium at t = {:.6g}: {:.4g} of energy lost on the way, "
                     "which load steps do not follow; steps.control: arc-length finds the way, explicit "
                     "dynamics the motion",
-                    committed_.t(), lost_by_snapping_));
+                    medium_.t(), lost_by_snapping_));
   settle(observer, result);
   return true;
 }
@@ -160,9 +165,9 @@ void LoadStepper::settle(Observer& observer, equilibrium::NewtonResult& result) 
   if (!breaking_) return;
   const Loss loss = break_bonds(observer, result);
   std::string reason = loss.reason;
-  if (loss.cause != LostEquilibrium::no && motion_) reason = go_through_motion(observer, committed_.t(), loss, result);
+  if (loss.cause != LostEquilibrium::no && motion_) reason = go_through_motion(observer, medium_.t(), loss, result);
   if (!reason.empty()) lost_equilibrium(observer, reason, result);
-  if (passes_ > 0) control_->jumped(committed_.t());
+  if (passes_ > 0) control_->jumped(medium_.t());
 }
 
 void LoadStepper::lost_equilibrium(Observer& observer, const std::string& reason,
@@ -171,7 +176,7 @@ void LoadStepper::lost_equilibrium(Observer& observer, const std::string& reason
   const StepRecord lost = record(result, true);
   --step_;
   observer.run_stopped(&lost);
-  throw RunError(fmt::format("stopped at t = {:.10g} of {:g}, after {} converged steps: {}", committed_.t(),
+  throw RunError(fmt::format("stopped at t = {:.10g} of {:g}, after {} converged steps: {}", medium_.t(),
                              deck_.steps.end, step_, reason));
 }
 
@@ -182,23 +187,24 @@ void LoadStepper::stop(Observer& observer, double t, const equilibrium::NewtonRe
   if (stopped_ && step_ > 0) stopped_(last);
   throw RunError(fmt::format(
       "stopped at t = {:.10g} of {:g}, after {} converged steps: the step to t = {:.10g} does not converge{}; {}",
-      committed_.t(), deck_.steps.end, step_, t,
+      medium_.t(), deck_.steps.end, step_, t,
       deck_.steps.adaptive ? " at its smallest size" : " and steps.adaptive is false", result.reason));
 }
 
-double LoadStepper::set_free(const mechanics::Trial& trial) const {
+double LoadStepper::set_free() const {
   if (deck_.steps.control != deck::Control::load) return 0;
+  const medium::Trial& trial = medium_.trial();
   double work = 0, moved = 0;
   for (std::size_t u = 0; u < external_.size(); ++u) {
-    const double change = trial.displacement[u] - committed_.displacement()[u];
+    const double change = trial.displacement[u] - medium_.displacement()[u];
     if (boundary_.prescribed()[u])
       moved = std::max(moved, std::abs(change));
     else
       work += external_[u] * change;
   }
-  std::vector<double> sums{work, trial.stored - loads::loose_energy(scene_, boundary_.loose(), trial.stored_energy),
+  std::vector<double> sums{work, trial.stored - loads::loose_energy(model_, boundary_.loose(), trial.stored_energy),
                            trial.dissipated};
-  const Communicator& ranks = scene_.body().communicator;
+  const Communicator& ranks = model_.body().communicator;
   ranks.sum(sums);
   if (ranks.max(moved) > 0) return 0;
   // On a plateau the two are equal but for the tolerance of the steps.
@@ -207,22 +213,21 @@ double LoadStepper::set_free(const mechanics::Trial& trial) const {
   return beyond > equal * std::abs(sums[0]) + equal * energies_.scale ? beyond : 0;
 }
 
-void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force, bool followed) {
-  const Communicator& ranks = scene_.body().communicator;
-  std::optional<mechanics::PathWork> path;
-  const bool snaps = followed && set_free(trial) > 0;
+void LoadStepper::commit(std::vector<double>&& force, bool followed) {
+  const Communicator& ranks = model_.body().communicator;
+  const medium::Trial& trial = medium_.trial();
+  const bool snaps = followed && set_free() > 0;
   lost_by_snapping_ = 0;
-  if (followed && !snaps) path.emplace(*evaluation_, committed_, trial);
-  std::vector<double> external(scene_.owned_unknowns());
+  std::vector<double> external(model_.owned_unknowns());
   boundary_.external_force(trial.t, external.data());
   // Outside forces on the body: the given ones, and on prescribed unknowns whatever balances the internal force.
   double work = 0;
   for (std::size_t u = 0; u < force.size(); ++u) {
     const double before = boundary_.prescribed()[u] ? -force_[u] : external_[u];
     const double after = boundary_.prescribed()[u] ? -force[u] : external[u];
-    work += 0.5 * (before + after) * (trial.displacement[u] - committed_.displacement()[u]);
+    work += 0.5 * (before + after) * (trial.displacement[u] - medium_.displacement()[u]);
   }
-  std::vector<double> sums{work, trial.stored - loads::loose_energy(scene_, boundary_.loose(), trial.stored_energy),
+  std::vector<double> sums{work, trial.stored - loads::loose_energy(model_, boundary_.loose(), trial.stored_energy),
                            trial.dissipated};
   ranks.sum(sums);
   energies_.external_work += sums[0];
@@ -233,36 +238,33 @@ void LoadStepper::commit(mechanics::Trial&& trial, std::vector<double>&& force, 
   energies_.stored = sums[1];
   energies_.dissipated += sums[2];
 
-  dilatation_ = std::move(trial.dilatation);
-  stored_energy_ = std::move(trial.stored_energy);
-  committed_.advance(*evaluation_, std::move(trial));
-  if (path) energies_.external_work += ranks.sum(path->beyond_chord(*evaluation_, committed_));
+  energies_.external_work += ranks.sum(medium_.commit(followed && !snaps));
   raise_energy_scale();
   force_ = std::move(force);
   external_ = std::move(external);
 }
 
 void LoadStepper::raise_energy_scale() {
-  energies_.raise_scale(energy_of_rounding(scene_, committed_.displacement(), boundary_.loose()));
+  energies_.raise_scale(energy_of_rounding(model_, medium_.displacement(), boundary_.loose()));
 }
 
 StepRecord LoadStepper::record(const equilibrium::NewtonResult& result, bool written) {
   StepRecord row;
   row.step = step_;
-  row.t = committed_.t();
+  row.t = medium_.t();
   row.newton_iterations = result.newton_iterations;
   row.linear_iterations = result.linear_iterations;
   row.stored_energy = energies_.stored;
   row.dissipated_energy = energies_.dissipated;
   row.external_work = energies_.external_work;
   if (breaking_) row.fracture = FractureRow{passes_, breaking_->broken(), energies_.released, energies_.relaxed};
-  row.overlap = validity_.overlap();
+  if (validity_) row.overlap = validity_->overlap();
   row.motion = motion_;
   if (row.motion) row.motion->damped_energy = energies_.damped;
   row.end = deck_.steps.end;
-  records_.fill(
-      {committed_, force_.data(), external_.data(), dilatation_.data(), stored_energy_.data(), boundary_.loose()},
-      written, row);
+  records_.fill({medium_.displacement(), force_.data(), external_.data(), boundary_.loose(), nullptr,
+                 medium_.fields(written), [this](LocalIndex i) { return medium_.has_flowed(i); }},
+                written, row);
   return row;
 }
 

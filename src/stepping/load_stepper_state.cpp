@@ -19,10 +19,10 @@ void LoadStepper::save_fracture(StateWriter& writer) const {
   writer.integer("stepper/passes", passes_);
   writer.number("stepper/released_energy", energies_.released);
   writer.number("stepper/relaxed_energy", energies_.relaxed);
-  std::vector<double> loose(static_cast<std::size_t>(scene_.owned()), 0.0);
+  std::vector<double> loose(static_cast<std::size_t>(model_.owned()), 0.0);
   std::copy(boundary_.loose().begin(), boundary_.loose().end(), loose.begin());
   writer.particles("fracture/loose", loose.data(), 1);
-  fracture::save_broken_bonds(scene_, breaking_->rounds(), writer);
+  fracture::save_broken_bonds(peridynamic_->scene(), breaking_->rounds(), writer);
 }
 
 // The preconditioner's coarse functions are split along the crack as it was when they were made, and so they are again.
@@ -34,8 +34,8 @@ void LoadStepper::restore_fracture(StateReader& reader) {
   const std::vector<double> marks = reader.particles("fracture/loose", 1);
   std::vector<char> loose;
   for (const double mark : marks) loose.push_back(static_cast<char>(mark != 0));
-  const bool any = scene_.body().communicator.any(std::find(loose.begin(), loose.end(), 1) != loose.end());
-  fracture::BrokenBonds broken(scene_, reader);
+  const bool any = model_.body().communicator.any(std::find(loose.begin(), loose.end(), 1) != loose.end());
+  fracture::BrokenBonds broken(peridynamic_->scene(), reader);
   if (!reader.has(phase)) {
     broken.break_first(reader.integer("tangent/bonds_broken"));
     if (any) boundary_.let_go(loose);
@@ -61,7 +61,7 @@ void LoadStepper::save_phase(StateWriter& writer) const {
   writer.number("phase/step_energy", motion_->phase_energy);
   writer.integer("phase/newton_iterations", phase_.total.newton_iterations);
   writer.integer("phase/linear_iterations", phase_.total.linear_iterations);
-  const Communicator& ranks = scene_.body().communicator;
+  const Communicator& ranks = model_.body().communicator;
   writer.number("phase/seconds", ranks.max(now() - step_begin_));
   writer.integer("phase/products", ranks.slowest(ranks.profile().read() - told_times_).count_of(Section::product));
   hand_over_->save(writer);
@@ -84,7 +84,8 @@ void LoadStepper::restore_phase(StateReader& reader) {
   phase_.total.linear_iterations = restored_count(reader, "phase/linear_iterations");
   phase_.seconds = reader.number("phase/seconds");
   phase_.products = restored_integer(reader, "phase/products", 0, std::numeric_limits<long long>::max());
-  hand_over_ = std::make_unique<HandOver>(deck_, scene_, boundary_, breaking_.get(), passage_, evaluation_);
+  hand_over_ = std::make_unique<HandOver>(deck_, peridynamic_->scene(), boundary_, breaking_.get(), passage_,
+                                          peridynamic_->evaluation());
   hand_over_->restore(reader);
 }
 
@@ -96,17 +97,16 @@ void LoadStepper::save(StateWriter& writer) const {
   writer.number("stepper/energy_scale", energies_.scale);
   writer.integer("stepper/newton_iterations", last_result_.newton_iterations);
   writer.integer("stepper/linear_iterations", last_result_.linear_iterations);
-  writer.particles("stepper/force", force_.data(), scene_.dimension());
-  writer.particles("stepper/dilatation", dilatation_.data(), 1);
-  writer.particles("stepper/stored_energy_density", stored_energy_.data(), 1);
+  writer.particles("stepper/force", force_.data(), model_.dimension());
+  medium_.save_fields(writer);
   control_->save(writer);
   newton_.save_remedies(writer);
-  validity_.save(writer);
+  if (validity_) validity_->save(writer);
   if (breaking_) save_fracture(writer);
   if (hand_over_) {
     save_phase(writer);
   } else {
-    committed_.save(scene_, writer);
+    medium_.save(writer);
     newton_.save(writer);
   }
   if (!motion_) return;
@@ -129,11 +129,9 @@ void LoadStepper::restore(StateReader& reader) {
   last_result_.converged = true;
   last_result_.newton_iterations = count("stepper/newton_iterations");
   last_result_.linear_iterations = count("stepper/linear_iterations");
-  force_ = reader.particles("stepper/force", scene_.dimension());
-  dilatation_ = reader.particles("stepper/dilatation", 1);
-  stored_energy_ = reader.particles("stepper/stored_energy_density", 1);
+  force_ = reader.particles("stepper/force", model_.dimension());
   newton_.restore_remedies(reader);
-  validity_.restore(reader);
+  if (validity_) validity_->restore(reader);
   if (breaking_)
     restore_fracture(reader);
   else if (!reader.has(phase))
@@ -144,14 +142,14 @@ void LoadStepper::restore(StateReader& reader) {
     motion_->time_steps = restored_integer(reader, "stepper/time_steps", 0, std::numeric_limits<long long>::max());
     phase_.row.number = count("stepper/phases");
   }
-  committed_.restore(*evaluation_, reader);
-  control_->restore(committed_, reader);
+  medium_.restore(reader);
+  control_->restore(reader);
   if (reader.has(phase)) {
-    committed_ = mechanics::Committed(scene_);  // the phase has it, and gives it back
+    peridynamic_->committed() = mechanics::Committed(peridynamic_->scene());  // the phase has it, and gives it back
     restore_phase(reader);
     return;
   }
-  boundary_.external_force(committed_.t(), external_.data());
+  boundary_.external_force(medium_.t(), external_.data());
 }
 
 }  // namespace perinox::stepping

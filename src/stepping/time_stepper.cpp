@@ -42,6 +42,7 @@ TimeStepper::TimeStepper(const deck::Deck& deck, mechanics::Scene& scene)
       boundary_(deck, scene),
       evaluation_(std::make_shared<mechanics::Evaluation>(scene)),
       records_(deck, scene),
+      fields_(scene, deck.output.fields),
       validity_(deck, scene) {
   make_motion();
   if (deck.breaks()) breaking_ = std::make_unique<fracture::BondBreaking>(deck, scene, evaluation_);
@@ -177,10 +178,11 @@ StepRecord TimeStepper::record(bool written, bool last) {
   row.motion = motion;
   row.overlap = validity_.overlap();
   if (breaking_) row.fracture = FractureRow{0, breaking_->broken(), energies_.released, 0};
-  records_.fill(
-      {motion_->committed(), motion_->force().data(), motion_->external().data(), motion_->dilatation().data(),
-       motion_->stored_energy().data(), boundary_.loose(), motion_->velocity().data()},
-      written, row);
+  records_.fill({motion_->committed().displacement(), motion_->force().data(), motion_->external().data(),
+                 boundary_.loose(), motion_->velocity().data(),
+                 fields_.of(motion_->committed(), motion_->dilatation(), motion_->stored_energy(), written),
+                 [this](LocalIndex i) { return fields_.has_flowed(i); }},
+                written, row);
   return row;
 }
 

@@ -24,7 +24,7 @@ struct Accelerated {
   explicit Accelerated(const std::string& yaml, int steps = 3)
       : problem(yaml),
         two_level(problem.two_level()),
-        product(two_level->getDomainMap(), problem.tangent, problem.boundary.prescribed()),
+        product(two_level->getDomainMap(), *problem.tangent, problem.boundary.prescribed()),
         steps_of(two_level->getDomainMap(), problem.scene.body(), problem.boundary.prescribed(), product, *two_level,
                  steps) {
     steps_of.estimate();

@@ -228,8 +228,8 @@ TEST(Interpenetration, APressedPlateWithACrackSaysHowDeepItsFacesGo) {
   EXPECT_FALSE(whole.records.steps.back().overlap);
   for (std::size_t k = 1; k < records.steps.size(); ++k)
     EXPECT_GT(*records.steps[k].overlap, *records.steps[k - 1].overlap);
-  ASSERT_EQ(stepper.validity().at_end().size(), 1u);
-  EXPECT_THAT(stepper.validity().at_end()[0], ::testing::HasSubstr("faces that no bond joins overlap by"));
+  ASSERT_EQ(stepper.validity()->at_end().size(), 1u);
+  EXPECT_THAT(stepper.validity()->at_end()[0], ::testing::HasSubstr("faces that no bond joins overlap by"));
 }
 
 TEST(Interpenetration, AnExplicitRunWithoutContactSaysItToo) {
@@ -255,7 +255,7 @@ steps: {end: 2, count: 4}
     ASSERT_TRUE(records.steps[k].overlap);
     EXPECT_NEAR(*records.steps[k].overlap, 0.5 * static_cast<double>(k), 1e-9);  // nothing stops the upper one
   }
-  EXPECT_EQ(stepper.validity().at_end().size(), 1u);
+  EXPECT_EQ(stepper.validity()->at_end().size(), 1u);
   EXPECT_FALSE(deck_of(yaml, {"explicit.contact={}"}).may_overlap());
 }
 

@@ -6,9 +6,8 @@
 #include <string>
 
 #include "linear/two_level.hpp"
-#include "mechanics/matrix_free_tangent.hpp"
 #include "perinox/loads/boundary.hpp"
-#include "perinox/mechanics/assembled_tangent.hpp"
+#include "perinox/mechanics/peridynamic_medium.hpp"
 #include "support/decks.hpp"
 
 namespace perinox::test {
@@ -21,17 +20,17 @@ struct LinearProblem {
       : deck(deck_of(yaml)),
         scene(mechanics::build_scene(deck, Communicator(comm))),
         boundary(deck, scene),
-        committed(scene),
-        tangent(scene),
+        medium(scene),
+        tangent(medium.make_tangent(deck::TangentForm::consistent)),
         unknowns(scene.owned_unknowns()),
         blocks(unknowns * static_cast<std::size_t>(scene.dimension())),
         right(unknowns) {
-    tangent.linearise(committed, committed.displacement().data(), deck::TangentForm::consistent);
-    tangent.diagonal_blocks(blocks.data(), linear::TwoLevel::dilatation_share(scene));
+    tangent->linearise(medium.at());
+    tangent->diagonal_blocks(blocks.data(), linear::TwoLevel::dilatation_share(scene));
     Vector jump(unknowns, 0.0), stiff(unknowns);
     boundary.impose(1, jump.data());
     boundary.external_force(1, right.data());
-    tangent.apply(jump.data(), stiff.data());
+    tangent->apply(jump.data(), stiff.data());
     for (std::size_t u = 0; u < unknowns; ++u) right[u] = held(u) ? 0 : right[u] - stiff[u];
   }
 
@@ -42,7 +41,7 @@ struct LinearProblem {
     return scene.body().communicator.sum(sum);
   }
   std::unique_ptr<linear::TwoLevel> two_level(const linear::TwoLevel::Settings& settings = {}) const {
-    auto made = std::make_unique<linear::TwoLevel>(mechanics::unknowns_map(scene.body()), scene, boundary.prescribed(),
+    auto made = std::make_unique<linear::TwoLevel>(medium::unknowns_map(scene.body()), scene, boundary.prescribed(),
                                                    scene.bond_graph(), settings);
     made->set(blocks, 1.0);
     return made;
@@ -59,7 +58,7 @@ struct LinearProblem {
       const double next = dot(r, z);
       for (std::size_t u = 0; u < unknowns; ++u) p[u] = z[u] + (count > 0 ? next / rho : 0) * p[u];
       rho = next;
-      tangent.apply(p.data(), q.data());
+      tangent->apply(p.data(), q.data());
       for (std::size_t u = 0; u < unknowns; ++u) q[u] = held(u) ? 0 : q[u];
       const double step = rho / dot(p, q);
       for (std::size_t u = 0; u < unknowns; ++u) r[u] -= step * q[u];
@@ -71,8 +70,8 @@ struct LinearProblem {
   deck::Deck deck;
   mechanics::Scene scene;
   loads::Boundary boundary;
-  mechanics::Committed committed;
-  mechanics::MatrixFreeTangent tangent;
+  mechanics::PeridynamicMedium medium;
+  std::unique_ptr<medium::Tangent> tangent;
   std::size_t unknowns;
   Vector blocks, right;
 };

@@ -14,39 +14,36 @@ namespace perinox::equilibrium {
 class ArcLength : public StepControl {
  public:
   /// Throws InputError: nothing to follow, because nothing is free or no load changes with t. Collective.
-  ArcLength(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary, Newton& newton,
-            mechanics::Evaluation& evaluation);
+  ArcLength(const deck::Deck& deck, medium::Medium& medium, const loads::Boundary& boundary, Newton& newton);
 
   bool finished() const override { return ended_ || steps_ >= settings_.max_steps; }
   std::string unreached() const override;
-  NewtonResult attempt(const mechanics::Committed& committed, int step, Observer& observer, mechanics::Trial& trial,
-                       std::vector<double>& force) override;
+  NewtonResult attempt(int step, Observer& observer, std::vector<double>& force) override;
   double tried() const override { return tried_; }
-  void accept(const mechanics::Committed& committed, const mechanics::Trial& trial) override;
+  void accept() override;
   bool cut() override;
   double share() const override;
 
  private:
   enum class End { none, load, displacement };
-  PathPoint committed_point(const mechanics::Committed& committed) const;
+  PathPoint committed_point() const;
   /// First guess of a step of the length arc_: the last increment again where that is nearly in balance, else along the
   /// tangent, in the direction that makes an acute angle with the last increment.
-  NewtonResult predict(const mechanics::Committed& committed, const PathPoint& origin, PathPoint& guess);
+  NewtonResult predict(const PathPoint& origin, PathPoint& guess);
   /// Solves at a given t from the committed state, which is `point`, and moves that on to what it finds.
-  NewtonResult solve_at(double t, const mechanics::Committed& committed, int step, Observer& observer, PathPoint& point,
-                        mechanics::Trial& trial, std::vector<double>& force);
+  NewtonResult solve_at(double t, int step, Observer& observer, PathPoint& point, std::vector<double>& force);
   /// The step up to where it may end early: along the arc, or to a given t. turned_ is true where a load turns back
   /// at its end.
-  NewtonResult advance(const mechanics::Committed& committed, const PathPoint& origin, int step, Observer& observer,
-                       PathPoint& point, mechanics::Trial& trial, std::vector<double>& force);
-  NewtonResult solve_on_path(const mechanics::Committed& committed, const PathConstraint& constraint, int step,
-                             Observer& observer, PathPoint& point, mechanics::Trial& trial, std::vector<double>& force);
+  NewtonResult advance(const PathPoint& origin, int step, Observer& observer, PathPoint& point,
+                       std::vector<double>& force);
+  NewtonResult solve_on_path(const PathConstraint& constraint, int step, Observer& observer, PathPoint& point,
+                             std::vector<double>& force);
   /// Share of the step from `origin` to `to` after which the run's end is passed; 1 and none if it is not.
   std::pair<double, End> passed(const PathPoint& origin, const PathPoint& to) const;
 
   const deck::Deck& deck_;
   const deck::ArcLength& settings_;
-  const mechanics::Scene& scene_;
+  medium::Medium& medium_;
   const loads::Boundary& boundary_;
   Newton& newton_;  ///< of steps to a given t
   BorderedNewton bordered_;

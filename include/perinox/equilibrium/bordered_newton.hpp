@@ -17,24 +17,24 @@ namespace perinox::equilibrium {
 /// again. Collective throughout.
 class BorderedNewton {
  public:
-  /// system: shared with the other solver of the scene; everything is kept by reference.
-  BorderedNewton(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary,
-                 linear::TangentSystem& system, mechanics::Evaluation& evaluation);
+  /// system: shared with the other solver of the medium; everything is kept by reference.
+  BorderedNewton(const deck::Deck& deck, medium::Medium& medium, const loads::Boundary& boundary,
+                 linear::TangentSystem& system);
   ~BorderedNewton();
 
   /// b = du/dt along the path at the committed state; dt is 1. The linear iterations are counted in the result.
-  NewtonResult rate(const mechanics::Committed& committed, PathPoint& rate);
+  NewtonResult rate(PathPoint& rate);
   /// Residual over reactions at `point`, where infinity stands for one that is not finite.
-  double relative_residual(const mechanics::Committed& committed, const PathPoint& point);
+  double relative_residual(const PathPoint& point);
 
   /// True while GMRES stands in for conjugate gradients.
   bool indefinite() const;
 
   /// Solves for equilibrium and the constraint, starting at `point`, where it also ends. `step` only labels the
-  /// records. On convergence `trial` is the state to commit and `force` [owned * dimension] its internal force.
-  NewtonResult solve(const mechanics::Committed& committed, PathPoint& point, const PathConstraint& constraint,
-                     int most_iterations, int step, Observer& observer, mechanics::Trial& trial,
-                     std::vector<double>& force);
+  /// records. On convergence the medium's state under trial is the one to commit and `force` [owned * dimension] its
+  /// internal force.
+  NewtonResult solve(PathPoint& point, const PathConstraint& constraint, int most_iterations, int step,
+                     Observer& observer, std::vector<double>& force);
 
  private:
   struct Parts;

@@ -8,7 +8,7 @@
 #include "perinox/linear/failure.hpp"
 #include "perinox/linear/tangent_operators.hpp"
 #include "perinox/loads/boundary.hpp"
-#include "perinox/mechanics/evaluation.hpp"
+#include "perinox/medium/medium.hpp"
 
 namespace perinox::equilibrium {
 
@@ -34,24 +34,21 @@ struct NewtonResult {
 /// evaluation. Holds the tangent system across steps. Collective throughout.
 class Newton {
  public:
-  /// evaluation: of the scene. Everything else is kept by reference.
-  Newton(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary,
-         std::shared_ptr<mechanics::Evaluation> evaluation);
+  /// Everything is kept by reference.
+  Newton(const deck::Deck& deck, medium::Medium& medium, const loads::Boundary& boundary);
   ~Newton();
 
   /// Solves for equilibrium at load parameter t from the committed state. `step` only labels the records. On
-  /// convergence `trial` is the state to commit and `force` [owned * dimension] its internal force.
-  /// `guess` [owned * dimension] starts the free unknowns, or is empty.
-  /// Where an attempt fails and better linear solves may be the remedy, it is made again with them: to a tighter
-  /// tolerance, or, in a small scene whose conjugate gradients converge badly (a slender body), with a direct solver.
-  /// What has helped is kept.
-  NewtonResult solve(const mechanics::Committed& committed, double t, int step, const std::vector<double>& guess,
-                     Observer& observer, mechanics::Trial& trial, std::vector<double>& force);
+  /// convergence the medium's state under trial is the one to commit and `force` [owned * dimension] its internal
+  /// force. `guess` [owned * dimension] starts the free unknowns, or is empty. Where an attempt fails and better linear
+  /// solves may be the remedy, it is made again with them: to a tighter tolerance, or, in a small scene whose conjugate
+  /// gradients converge badly (a slender body), with a direct solver. What has helped is kept.
+  NewtonResult solve(double t, int step, const std::vector<double>& guess, Observer& observer,
+                     std::vector<double>& force);
 
   /// Where there is no stable equilibrium near the committed state: goes down in energy to the next one. Needs a
   /// symmetric tangent that is not a matrix; a failure with an empty reason elsewhere.
-  NewtonResult descend(const mechanics::Committed& committed, double t, int step, Observer& observer,
-                       mechanics::Trial& trial, std::vector<double>& force);
+  NewtonResult descend(double t, int step, Observer& observer, std::vector<double>& force);
 
   /// To be called when bonds have broken or supports have changed. The tangent system is made anew where it has to be:
   /// with other supports, where it is a matrix, or where the linear solves have come to take half as many iterations
@@ -71,16 +68,15 @@ class Newton {
   linear::TangentSystem& system();
 
  private:
-  NewtonResult attempt(const mechanics::Committed& committed, double t, int step, const std::vector<double>& guess,
-                       Observer& observer, mechanics::Trial& trial, std::vector<double>& force);
+  NewtonResult attempt(double t, int step, const std::vector<double>& guess, Observer& observer,
+                       std::vector<double>& force);
   bool may_take_direct() const;
   void make_parts();
   void set_tolerance();
 
   const deck::Deck& deck_;
-  const mechanics::Scene& scene_;
+  medium::Medium& medium_;
   const loads::Boundary& boundary_;
-  std::shared_ptr<mechanics::Evaluation> evaluation_;
   bool careful_ = false;  ///< linear solves to a tighter tolerance
   bool in_vain_ = false;  ///< that has not helped either, at this step
   bool direct_ = false;   ///< in place of conjugate gradients

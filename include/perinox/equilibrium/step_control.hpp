@@ -15,12 +15,11 @@ class StepControl {
   virtual ~StepControl() = default;
   virtual bool finished() const = 0;
   /// Solves the next step from the committed state; arguments as in Newton::solve.
-  virtual NewtonResult attempt(const mechanics::Committed& committed, int step, Observer& observer,
-                               mechanics::Trial& trial, std::vector<double>& force) = 0;
+  virtual NewtonResult attempt(int step, Observer& observer, std::vector<double>& force) = 0;
   /// t that the last attempt went to.
   virtual double tried() const = 0;
-  /// The attempt was good; `trial` is about to be committed.
-  virtual void accept(const mechanics::Committed& committed, const mechanics::Trial& trial) = 0;
+  /// The attempt was good; the medium's state under trial is about to be committed.
+  virtual void accept() = 0;
   /// The committed state has become another one since the last accept(), at `t`: bonds have broken, or the run has gone
   /// on in time. The last increment says nothing.
   virtual void jumped(double /*t*/) {}
@@ -35,35 +34,32 @@ class StepControl {
   /// What the next attempt goes on from, and the way back, the committed state being that of then. Throws
   /// std::logic_error where it is not there yet: deck::not_in_checkpoints. Collective.
   virtual void save(StateWriter&) const { throw std::logic_error("this step control keeps nothing for a restart"); }
-  virtual void restore(const mechanics::Committed&, StateReader&) {
-    throw std::logic_error("this step control takes nothing from a checkpoint");
-  }
+  virtual void restore(StateReader&) { throw std::logic_error("this step control takes nothing from a checkpoint"); }
 };
 
 /// steps.control: load. Whole steps end at t = end * k/count exactly; a cut step never passes such a t.
 class LoadSteps : public StepControl {
  public:
-  LoadSteps(const deck::Deck& deck, const mechanics::Scene& scene, const loads::Boundary& boundary, Newton& newton);
+  LoadSteps(const deck::Deck& deck, medium::Medium& medium, const loads::Boundary& boundary, Newton& newton);
 
   bool finished() const override { return done_ >= steps_.count; }
-  NewtonResult attempt(const mechanics::Committed& committed, int step, Observer& observer, mechanics::Trial& trial,
-                       std::vector<double>& force) override;
+  NewtonResult attempt(int step, Observer& observer, std::vector<double>& force) override;
   double tried() const override { return tried_; }
-  void accept(const mechanics::Committed& committed, const mechanics::Trial& trial) override;
+  void accept() override;
   void jumped(double t) override;
   bool cut() override;
   void forget_cuts() override;
   double share() const override { return tried_ / steps_.end; }
   void save(StateWriter& writer) const override;
-  void restore(const mechanics::Committed& committed, StateReader& reader) override;
+  void restore(StateReader& reader) override;
 
  private:
   double whole_end() const { return steps_.end * (done_ + 1) / steps_.count; }
   double next(double t) const;
-  std::vector<double> first_guess(const mechanics::Committed& committed, double t) const;
+  std::vector<double> first_guess(double t) const;
 
   const deck::Steps& steps_;
-  const mechanics::Scene& scene_;
+  medium::Medium& medium_;
   const loads::Boundary& boundary_;
   Newton& newton_;
   double size_;

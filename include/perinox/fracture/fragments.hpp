@@ -1,14 +1,14 @@
 #pragma once
 #include <vector>
 
-#include "perinox/mechanics/scene.hpp"
+#include "perinox/medium/model.hpp"
 
 namespace perinox::fracture {
 
-/// The fragments of a scene: what chains of intact bonds hold together.
+/// The fragments of a body: what chains of intact bonds hold together.
 class Fragments {
  public:
-  explicit Fragments(const mechanics::Scene& scene) : scene_(scene) {}
+  explicit Fragments(const medium::Model& model) : model_(model) {}
 
   /// From the bonds as they are; about a sweep over the families. Collective.
   void find();
@@ -18,7 +18,7 @@ class Fragments {
   long long single() const { return single_; }    ///< particles without a bond, over all ranks
 
  private:
-  const mechanics::Scene& scene_;
+  const medium::Model& model_;
   std::vector<double> number_;
   long long several_ = 0, single_ = 0;
 };

@@ -4,8 +4,7 @@
 
 #include "perinox/core/saved_state.hpp"
 #include "perinox/core/tpetra.hpp"
-#include "perinox/mechanics/assembled_tangent.hpp"
-#include "perinox/mechanics/tangent.hpp"
+#include "perinox/medium/medium.hpp"
 
 namespace perinox::linear {
 
@@ -15,19 +14,17 @@ class DirectSolve;
 class MaskedTangent;
 class TwoLevel;
 
-/// The linear system of one scene: the tangent restricted to the free unknowns (prescribed ones carry a diagonal and
+/// The linear system of one medium: the tangent restricted to the free unknowns (prescribed ones carry a diagonal and
 /// are coupled to nothing, which keeps it symmetric), as an operator, and its preconditioner. Both are updated in
 /// place.
 class TangentSystem {
  public:
-  /// prescribed: [local * dimension], ghosts up to date. evaluation: of the scene, shared with whoever asks for the
-  /// internal force. Collective.
-  TangentSystem(const mechanics::Scene& scene, const std::vector<char>& prescribed, const deck::Solver& solver,
-                std::shared_ptr<mechanics::Evaluation> evaluation);
+  /// prescribed: [local * dimension], ghosts up to date. The medium is kept by reference. Collective.
+  TangentSystem(medium::Medium& medium, const std::vector<char>& prescribed, const deck::Solver& solver);
   ~TangentSystem();
 
-  /// Linearises at a displacement [owned * dimension]. Collective.
-  void update(const mechanics::Committed& committed, const medium::At& at);
+  /// Linearises at a displacement [owned * dimension] as seen from the medium's committed state. Collective.
+  void update(const medium::At& at);
   /// Brings the preconditioner to the tangent of the last update(). The coarse part of two-level is made at the first
   /// call and kept. Collective.
   void update_preconditioner();
@@ -41,7 +38,7 @@ class TangentSystem {
   void save(StateWriter& writer) const;
   void restore(StateReader& reader);
 
-  const mechanics::Tangent& tangent() const { return *tangent_; }
+  const medium::Tangent& tangent() const { return *tangent_; }
   Teuchos::RCP<tpetra::Operator> linear_operator() const { return operator_; }
   /// Null if none is asked for.
   Teuchos::RCP<tpetra::Operator> preconditioner() const { return preconditioner_; }
@@ -56,13 +53,13 @@ class TangentSystem {
 
  private:
   struct Sparse;
-  const mechanics::Scene& scene_;
+  Teuchos::RCP<tpetra::Operator> make_preconditioner();
+  const medium::Model& model_;
   std::vector<char> prescribed_;
   deck::Solver solver_;
-  std::unique_ptr<mechanics::Tangent> tangent_;
+  std::unique_ptr<medium::Tangent> tangent_;
   Teuchos::RCP<const tpetra::Map> map_;
-  mechanics::StoredTangent* stored_ = nullptr;  ///< the tangent, if it is assembled
-  std::unique_ptr<mechanics::AssembledTangent> assembled_;
+  medium::SparseTangent* assembled_ = nullptr;  ///< the tangent, if it is a matrix
   Teuchos::RCP<MaskedTangent> masked_;
   Teuchos::RCP<BlockJacobi> block_jacobi_;
   Teuchos::RCP<TwoLevel> two_level_;

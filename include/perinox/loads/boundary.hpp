@@ -7,7 +7,7 @@
 #include "perinox/body/exposed_faces.hpp"
 #include "perinox/body/field_table.hpp"
 #include "perinox/deck/deck.hpp"
-#include "perinox/mechanics/scene.hpp"
+#include "perinox/medium/model.hpp"
 
 namespace perinox::loads {
 
@@ -18,7 +18,7 @@ class Boundary {
   /// Collective. Throws InputError: a formula that is not a finite number at some particle at the first or the last t,
   /// a table that does not fit, and, but for dynamics: explicit, a body or a piece of one that can move as a whole
   /// (rigid_modes.hpp).
-  Boundary(const deck::Deck& deck, const mechanics::Scene& scene);
+  Boundary(const deck::Deck& deck, const medium::Model& model);
 
   /// [local * dimension], ghosts included: 1 where the displacement or the velocity is prescribed.
   const std::vector<char>& prescribed() const { return prescribed_; }
@@ -82,7 +82,7 @@ class Boundary {
   /// Of the k-th particle of the entry's set.
   double value_of(const Entry& entry, int component, std::size_t k, double t) const;
 
-  const mechanics::Scene& scene_;
+  const medium::Model& model_;
   std::vector<Entry> entries_;
   std::vector<char> prescribed_, loose_;
   std::vector<char> driven_by_velocity_;

@@ -3,7 +3,7 @@
 
 #include "perinox/bonds/components.hpp"
 #include "perinox/loads/boundary.hpp"
-#include "perinox/mechanics/scene.hpp"
+#include "perinox/medium/model.hpp"
 
 namespace perinox::loads {
 
@@ -21,19 +21,19 @@ struct Parts {
 };
 
 /// Visits each bond once. Collective.
-Parts find_parts(const deck::Deck& deck, const mechanics::Scene& scene, const Boundary& boundary);
+Parts find_parts(const deck::Deck& deck, const medium::Model& model, const Boundary& boundary);
 
 /// Bonds over all ranks of the parts that move; of all parts where none does. Collective.
-long long moving_bonds(const mechanics::Scene& scene, const Parts& parts);
+long long moving_bonds(const medium::Model& model, const Parts& parts);
 
 /// True where some part's free displacement is more than half the part's diagonal, and not because twice that is
 /// prescribed for it: `deformation: small` cannot mean such a displacement. displacement: [owned * dimension], length.
 /// Collective.
-bool moves_beyond_small(const mechanics::Scene& scene, const Boundary& boundary, const double* displacement);
+bool moves_beyond_small(const medium::Model& model, const Boundary& boundary, const double* displacement);
 
 /// Energy stored in particles that have been taken out of the unknowns as loose, this rank's share. The body no longer
 /// has it. loose: [owned] or empty; stored_energy: [owned] a volume.
-double loose_energy(const mechanics::Scene& scene, const std::vector<char>& loose,
+double loose_energy(const medium::Model& model, const std::vector<char>& loose,
                     const std::vector<double>& stored_energy);
 
 }  // namespace perinox::loads

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "perinox/bonds/components.hpp"
-#include "perinox/mechanics/scene.hpp"
+#include "perinox/medium/model.hpp"
 
 namespace perinox::loads {
 
@@ -37,6 +37,6 @@ std::vector<FreePiece> find_free_pieces(const body::Body& body, const bonds::Com
 
 /// Throws InputError on every rank, at the deck's boundary, if a piece is not held: names its bodies, its place, its
 /// free motions and the remedy. Collective.
-void refuse_free_pieces(const deck::Deck& deck, const mechanics::Scene& scene, const std::vector<char>& prescribed);
+void refuse_free_pieces(const deck::Deck& deck, const medium::Model& model, const std::vector<char>& prescribed);
 
 }  // namespace perinox::loads

@@ -7,9 +7,6 @@
 
 namespace perinox::mechanics {
 
-/// Map of the owned unknowns: unknown c of particle g has the global number g * dimension + c.
-Teuchos::RCP<const tpetra::Map> unknowns_map(const body::Body& body);
-
 /// The tangent as a sparse matrix of dimension x dimension blocks: particle a is coupled to every particle that shares
 /// a family with it. The pattern is built once; fill() only writes values. Rows and columns of prescribed unknowns are
 /// replaced by a diagonal.

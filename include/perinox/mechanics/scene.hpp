@@ -11,6 +11,7 @@
 #include "perinox/bonds/lattice_families.hpp"
 #include "perinox/bonds/pair_families.hpp"
 #include "perinox/materials/material.hpp"
+#include "perinox/medium/model.hpp"
 
 namespace perinox::mechanics {
 
@@ -23,7 +24,7 @@ enum class Layout { automatic, pairs };
 using BondEnds = std::array<LocalIndex, 2>;
 
 /// The discrete model: particles, families, and what each is made of. Constant during a run but for bonds that break.
-class Scene {
+class Scene final : public medium::Model {
  public:
   /// materials: one per deck material, in the deck's order. bonds: of this body, and of nothing else.
   Scene(body::Body body, const bonds::Bonds& bonds, std::vector<std::unique_ptr<materials::Material>> materials,
@@ -32,9 +33,8 @@ class Scene {
   Scene(const deck::Deck& deck, body::Body body, double horizon,
         std::vector<std::unique_ptr<materials::Material>> materials, Layout layout = Layout::automatic);
   Scene(Scene&&) noexcept;
-  ~Scene();
+  ~Scene() override;
 
-  const body::Body& body() const { return body_; }
   const bonds::Families& families() const { return families_; }
   /// One of the two is null.
   const bonds::LatticeFamilies* lattice() const { return lattice_.get(); }
@@ -42,11 +42,11 @@ class Scene {
   /// Every bond in plain arrays, made at the first call: 28 bytes a directed bond.
   const bonds::Bonds& bonds() const;
 
-  /// Breaks bonds, each with an end of this rank's. Called on all ranks, which tell the same of bonds between them, with
-  /// an empty list where none is this rank's. m and the fit of the strain stay those of the family before, so that its
-  /// stiffness is gone and the energy stays one energy (docs/fracture.md). plastic: of the state in which they break;
-  /// null: none of them has flowed. Throws std::logic_error for a bond that is not there, and where the loops over
-  /// stored bonds are taken.
+  /// Breaks bonds, each with an end of this rank's. Called on all ranks, which tell the same of bonds between them,
+  /// with an empty list where none is this rank's. m and the fit of the strain stay those of the family before, so that
+  /// its stiffness is gone and the energy stays one energy (docs/fracture.md). plastic: of the state in which they
+  /// break; null: none of them has flowed. Throws std::logic_error for a bond that is not there, and where the loops
+  /// over stored bonds are taken.
   void break_bonds(const std::vector<BondEnds>& ends, const PlasticExtension* plastic = nullptr);
   /// In place of what break_bonds has noted: Families::broken_extension of another run's same bonds.
   void set_broken_extension(std::vector<bonds::BrokenExtension> extension);
@@ -71,21 +71,21 @@ class Scene {
   /// The same of this rank's own particles, for work that no other rank takes part in.
   bool plastic_here() const { return plastic_here_; }
   /// True if bonds keep their reference direction: no geometric term anywhere.
-  bool small_strain() const { return small_strain_; }
+  bool small_strain() const override { return small_strain_; }
 
-  int dimension() const { return body_.dimension; }
-  int owned() const { return body_.owned; }
-  int local() const { return body_.local(); }
-  std::size_t owned_unknowns() const { return static_cast<std::size_t>(body_.owned) * body_.dimension; }
-  std::size_t local_unknowns() const { return static_cast<std::size_t>(body_.local()) * body_.dimension; }
   int largest_family() const { return largest_family_; }
 
   /// Who is bonded to whom, as the layout has it; the scene must outlive it.
-  bonds::BondGraph bond_graph() const;
+  bonds::BondGraph bond_graph() const override;
+  long long bonds_gone() const override { return static_cast<long long>(broken_.size()); }
+  double horizon() const override { return families_.horizon; }
+  /// True where some material has history variables.
+  bool remembers() const override;
+  std::optional<medium::LocalElasticity> local_elasticity() const override;
   /// The bonds of particle i as the materials see them; makes bonds().
   materials::Family family(LocalIndex i) const;
   /// False where any material's modulus state is not symmetric.
-  bool symmetric() const;
+  bool symmetric() const override;
   /// Names of all point history variables of all materials, each once.
   std::vector<std::string> point_history_names() const;
 
@@ -95,7 +95,6 @@ class Scene {
   void keep_extension(LocalIndex i, LocalIndex j, double weight, double length, double plastic);
   const std::vector<double>& basis() const;
 
-  body::Body body_;
   bonds::Families families_;
   std::unique_ptr<bonds::LatticeFamilies> lattice_;
   std::unique_ptr<bonds::PairFamilies> pairs_;

@@ -6,33 +6,22 @@
 #include "perinox/core/saved_state.hpp"
 #include "perinox/mechanics/plastic_extension.hpp"
 #include "perinox/mechanics/scene.hpp"
-#include "perinox/medium/displacement.hpp"
+#include "perinox/medium/medium.hpp"
 
 namespace perinox::mechanics {
 
 class Committed;
 class Evaluation;
 
-/// A state under trial: what one evaluation of the internal force leaves behind. Worthless until committed.
-struct Trial {
-  double t = 0;
-  std::vector<double> displacement;  ///< [local * dimension], ghosts up to date
-  std::uint64_t version = 0;         ///< of the displacement, where the internal force was asked for one with a number
+/// A state under trial: what one evaluation of the internal force leaves behind. Worthless until committed. The
+/// displacement has the ghosts too, up to date: [local * dimension].
+struct Trial : medium::Trial {
   std::vector<double> point_history;
-  std::vector<double> bond_history;   ///< only where the scene is not made of sums
-  std::vector<double> flow;           ///< [owned] share of the elastic part that flows; empty: no plastic material
-  std::vector<double> dilatation;     ///< [owned]
-  std::vector<double> mean;           ///< [owned] dilatation/d as the material takes it
-  std::vector<double> stored_energy;  ///< [owned] energy a volume
-  double stored = 0;                  ///< energy of this rank's particles
-  double unflowed = 0;                ///< energy of this rank's particles, had nothing flowed in the step
-  double dissipated = 0;              ///< energy this rank's particles dissipate in the step
-  long long yielding = 0;             ///< this rank's particles that flow in the step
+  std::vector<double> bond_history;  ///< only where the scene is not made of sums
+  std::vector<double> flow;          ///< [owned] share of the elastic part that flows; empty: no plastic material
+  std::vector<double> dilatation;    ///< [owned]
+  std::vector<double> mean;          ///< [owned] dilatation/d as the material takes it
 
-  /// The displacement with its number, if it has one.
-  medium::At at() const {
-    return version == 0 ? medium::At(displacement.data()) : medium::At(displacement.data(), version);
-  }
   /// Sizes the arrays but those of displacement and bonds, and sets the sums to zero.
   void prepare(const Scene& scene, const Committed& committed);
 };

@@ -12,7 +12,7 @@
 #include "perinox/equilibrium/step_control.hpp"
 #include "perinox/fracture/bond_breaking.hpp"
 #include "perinox/loads/boundary.hpp"
-#include "perinox/mechanics/state.hpp"
+#include "perinox/mechanics/peridynamic_medium.hpp"
 #include "perinox/stepping/energies.hpp"
 #include "perinox/stepping/hand_over.hpp"
 #include "perinox/stepping/step_records.hpp"
@@ -20,19 +20,22 @@
 
 namespace perinox::stepping {
 
-/// Drives a scene from t = 0 to its end, in load steps or along an arc (step_control.hpp). The only place where a trial
-/// state becomes the committed one: after convergence. A failed step is halved, and grown again after a success.
+/// Drives a medium from t = 0 to its end, in load steps or along an arc (step_control.hpp). The only place where a
+/// trial state becomes the committed one: after convergence. A failed step is halved, and grown again after a success.
 class LoadStepper {
  public:
-  /// Collective. Throws InputError for a scene that cannot be run.
+  /// The medium is kept by reference. Collective. Throws InputError for a deck that cannot be run, and std::logic_error
+  /// where bonds may break or the run may go on in time and the medium is not a peridynamic one.
+  LoadStepper(const deck::Deck& deck, medium::Medium& medium);
+  /// Makes the medium of a scene at t = 0.
   LoadStepper(const deck::Deck& deck, mechanics::Scene& scene);
 
   /// Runs to the end. Throws RunError with the reason if it cannot go on; every step committed before has been handed
   /// to the observer.
   void run(Observer& observer);
 
-  /// Called with the state a step started from and the converged one, before it is committed (`perinox verify`).
-  using Converged = std::function<void(const mechanics::Committed& before, const mechanics::Trial& after)>;
+  /// Called when a step has converged, before the medium commits its state under trial (`perinox verify`).
+  using Converged = std::function<void()>;
   void on_convergence(Converged callback) { converged_ = std::move(callback); }
 
   /// Called after the observer has been told of a committed step, on every rank; a RunError it throws ends the run
@@ -54,24 +57,29 @@ class LoadStepper {
   /// committed step, `last`, and what is saved now goes on with a whole step.
   void on_stop(Told callback) { stopped_ = std::move(callback); }
 
-  const mechanics::Committed& committed() const { return committed_; }
+  const medium::Medium& medium() const { return medium_; }
+  /// The committed state of a peridynamic medium.
+  const mechanics::Committed& committed() const { return peridynamic_->committed(); }
   const loads::Boundary& boundary() const { return boundary_; }
   equilibrium::Newton& newton() { return newton_; }
   const Energies& energies() const { return energies_; }
-  const Validity& validity() const { return validity_; }
+  /// Null for a medium that is not peridynamic.
+  const Validity* validity() const { return validity_.get(); }
   /// StepControl::unreached() of a run that has come to its end.
   std::string unreached() const { return control_->unreached(); }
   /// Internal force at the committed state. [owned * dimension], force.
   const std::vector<double>& force() const { return force_; }
 
  private:
+  LoadStepper(const deck::Deck& deck, std::unique_ptr<mechanics::PeridynamicMedium> own);
   std::unique_ptr<equilibrium::StepControl> make_control();
   void begin_step();
-  /// followed: equilibrium was kept on the way from the committed state, which flow may have bent.
-  void commit(mechanics::Trial&& trial, std::vector<double>&& force, bool followed = false);
+  /// Of the medium's state under trial. followed: equilibrium was kept on the way from the committed state, which flow
+  /// may have bent.
+  void commit(std::vector<double>&& force, bool followed = false);
   /// Energy that the given loads, held as they were, do over a step of load control whose supports do not move beyond
   /// what the body has taken up: above 0 it would go there by itself, so that it snaps. Collective.
-  double set_free(const mechanics::Trial& trial) const;
+  double set_free() const;
   void raise_energy_scale();
   /// written: the fields that cost something are made too.
   StepRecord record(const equilibrium::NewtonResult& result, bool written);
@@ -107,18 +115,19 @@ class LoadStepper {
   void restore_fracture(StateReader& reader);
 
   const deck::Deck& deck_;
-  mechanics::Scene& scene_;
+  std::unique_ptr<mechanics::PeridynamicMedium> own_;  ///< where it was made here
+  medium::Medium& medium_;
+  mechanics::PeridynamicMedium* peridynamic_;  ///< the same, if it is one; else null
+  const medium::Model& model_;
   loads::Boundary boundary_;
-  std::shared_ptr<mechanics::Evaluation> evaluation_;  ///< of the scene: the last one asked for
   equilibrium::Newton newton_;
   std::unique_ptr<fracture::BondBreaking> breaking_;  ///< where bonds can break
   std::unique_ptr<equilibrium::StepControl> control_;
-  mechanics::Committed committed_;
   Energies energies_;
-  std::vector<double> force_, external_, dilatation_, stored_energy_;
+  std::vector<double> force_, external_;
   Converged converged_;
   StepRecords records_;
-  Validity validity_;
+  std::unique_ptr<Validity> validity_;
   Told told_, stopped_;
   Passing passing_;
   int step_ = 0;

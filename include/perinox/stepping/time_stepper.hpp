@@ -7,6 +7,7 @@
 
 #include "perinox/core/record.hpp"
 #include "perinox/fracture/bond_breaking.hpp"
+#include "perinox/mechanics/point_fields.hpp"
 #include "perinox/motion/explicit_motion.hpp"
 #include "perinox/stepping/step_records.hpp"
 #include "perinox/stepping/validity.hpp"
@@ -52,7 +53,7 @@ class TimeStepper {
   const loads::Boundary& boundary() const { return boundary_; }
   motion::ExplicitMotion& motion() { return *motion_; }
   /// At the end of the run.
-  const Validity& validity() const { return validity_; }
+  const Validity* validity() const { return &validity_; }
   const motion::MotionEnergies& energies() const { return energies_; }
   /// Energy gained without anybody's work, over the largest energy of the run so far; a body that only moves has at
   /// least that of energy_scale.hpp.
@@ -77,6 +78,7 @@ class TimeStepper {
   std::optional<motion::ExplicitMotion> motion_;
   std::unique_ptr<fracture::BondBreaking> breaking_;  ///< where bonds can break
   StepRecords records_;
+  mechanics::PointFields fields_;
   Validity validity_;
   motion::MotionEnergies energies_;
   double worst_gain_ = 0, energy_scale_ = 0;
