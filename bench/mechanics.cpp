@@ -17,9 +17,9 @@
 #include <random>
 #include <stdexcept>
 
+#include "mechanics/assembled_tangent.hpp"
 #include "mechanics/matrix_free_tangent.hpp"
 #include "perinox/deck/read.hpp"
-#include "perinox/mechanics/assembled_tangent.hpp"
 #include "perinox/mechanics/internal_force.hpp"
 
 namespace {

@@ -17,11 +17,11 @@
 
 #include "linear/chebyshev_acceleration.hpp"
 #include "linear/masked_tangent.hpp"
-#include "mechanics/matrix_free_tangent.hpp"
+#include "mechanics/assembled_tangent.hpp"
 #include "perinox/deck/read.hpp"
 #include "perinox/loads/boundary.hpp"
 #include "perinox/materials/material.hpp"
-#include "perinox/mechanics/assembled_tangent.hpp"
+#include "perinox/mechanics/peridynamic_medium.hpp"
 
 namespace {
 
@@ -115,26 +115,7 @@ deck::Deck make_deck(const std::string& scene, int n, const Options& options) {
   return deck::read_text(yaml, "bench.yaml", materials::full_schema());
 }
 
-void run(int argc, char** argv) {
-  const std::string name = argv[1];
-  const int n = std::stoi(argv[2]);
-  Options options;
-  for (int a = 3; a < argc; ++a) {
-    const std::string word = argv[a];
-    options.words[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
-  }
-  const Communicator ranks(MPI_COMM_WORLD);
-  const deck::Deck deck = make_deck(name, n, options);
-  const mechanics::Scene scene = mechanics::build_scene(deck, ranks);
-  const loads::Boundary boundary(deck, scene);
-  const std::vector<char>& fixed = boundary.prescribed();
-  const mechanics::Committed committed(scene);
-  mechanics::MatrixFreeTangent tangent(scene);
-  const std::size_t unknowns = scene.owned_unknowns();
-  tangent.linearise(committed, committed.displacement().data(), deck::TangentForm::consistent);
-  Vector blocks(unknowns * static_cast<std::size_t>(scene.dimension()));
-  tangent.diagonal_blocks(blocks.data(), options.number("dilatation", linear::TwoLevel::dilatation_share(scene)));
-
+linear::TwoLevel::Settings settings_of(const Options& options) {
   linear::TwoLevel::Settings settings;
   settings.cell = options.number("cell", settings.cell);
   settings.finer_cell = options.number("cell", settings.finer_cell);
@@ -144,18 +125,19 @@ void run(int argc, char** argv) {
   settings.smoothing = static_cast<int>(options.number("smoothing", settings.smoothing));
   settings.factorised_up_to =
       static_cast<long long>(options.number("direct", static_cast<double>(settings.factorised_up_to)));
-  const double start = now();
-  linear::TwoLevel two_level(medium::unknowns_map(scene.body()), scene, fixed, scene.bond_graph(), settings);
-  const double gridded = now();
-  two_level.set(blocks, 1.0);
-  const double built = now();
-  const bool one_level = options.number("level", 2) == 1;
+  return settings;
+}
 
-  const int steps = static_cast<int>(options.number("steps", 1));
-  const linear::MaskedTangent masked(two_level.getDomainMap(), tangent, fixed);
-  linear::ChebyshevAcceleration accelerated(two_level.getDomainMap(), scene.body(), fixed, masked, two_level, steps);
-  if (steps > 1) accelerated.estimate();
+/// Iterations, and seconds in all of them.
+struct Counted {
+  int iterations = 0;
+  double product = 0, transfer = 0, coarse = 0, whole = 0;
+};
 
+/// Conjugate gradients on the first system of the load at t = 1, to 1e-8 of the right side.
+Counted solve(const medium::Tangent& tangent, const loads::Boundary& boundary, const Communicator& ranks,
+              const linear::TwoLevel& two_level, const linear::OwnedOperator& preconditioner, std::size_t unknowns) {
+  const std::vector<char>& fixed = boundary.prescribed();
   const auto dot = [&](const Vector& a, const Vector& b) {
     double sum = 0;
     for (std::size_t u = 0; u < unknowns; ++u) sum += a[u] * b[u];
@@ -167,28 +149,20 @@ void run(int argc, char** argv) {
   tangent.apply(jump.data(), q.data());
   for (std::size_t u = 0; u < unknowns; ++u) r[u] = fixed[u] ? 0 : r[u] - q[u];
   const double goal = 1e-8 * std::sqrt(dot(r, r));
-  double product = 0, transfer = 0, coarse = 0, whole = 0, rho = 0;
-  int iterations = 0;
-  const auto precondition = [&] {
-    const double from = now();
-    if (one_level)
-      two_level.block_jacobi().multiply(r.data(), z.data());
-    else if (steps > 1)
-      accelerated.multiply(r.data(), z.data());
-    else
-      two_level.multiply(r.data(), z.data());
-    whole += now() - from;
-    transfer += two_level.transfer_seconds();
-    coarse += two_level.solve_seconds();
-  };
-  while (iterations < 3000 && std::sqrt(dot(r, r)) > goal) {
-    precondition();
+  double rho = 0;
+  Counted counted;
+  while (counted.iterations < 3000 && std::sqrt(dot(r, r)) > goal) {
+    const double before = now();
+    preconditioner.multiply(r.data(), z.data());
+    counted.whole += now() - before;
+    counted.transfer += two_level.transfer_seconds();
+    counted.coarse += two_level.solve_seconds();
     const double next = dot(r, z);
-    for (std::size_t u = 0; u < unknowns; ++u) p[u] = z[u] + (iterations > 0 ? next / rho * p[u] : 0);
+    for (std::size_t u = 0; u < unknowns; ++u) p[u] = z[u] + (counted.iterations > 0 ? next / rho * p[u] : 0);
     rho = next;
     const double from = now();
     tangent.apply(p.data(), q.data());
-    product += now() - from;
+    counted.product += now() - from;
     for (std::size_t u = 0; u < unknowns; ++u)
       if (fixed[u]) q[u] = 0;
     const double step = rho / dot(p, q);
@@ -196,20 +170,55 @@ void run(int argc, char** argv) {
       x[u] += step * p[u];
       r[u] -= step * q[u];
     }
-    ++iterations;
+    ++counted.iterations;
   }
+  return counted;
+}
+
+void run(int argc, char** argv) {
+  const std::string name = argv[1];
+  const int n = std::stoi(argv[2]);
+  Options options;
+  std::string all;
+  for (int a = 3; a < argc; ++a) {
+    const std::string word = argv[a];
+    all += word + " ";
+    options.words[word.substr(0, word.find('='))] = word.substr(word.find('=') + 1);
+  }
+  const Communicator ranks(MPI_COMM_WORLD);
+  const deck::Deck deck = make_deck(name, n, options);
+  mechanics::Scene scene = mechanics::build_scene(deck, ranks);
+  mechanics::PeridynamicMedium body(scene);
+  const loads::Boundary boundary(deck, scene);
+  const std::vector<char>& fixed = boundary.prescribed();
+  const auto tangent = body.make_tangent(deck::TangentForm::consistent);
+  tangent->linearise(body.at());
+  Vector blocks(scene.owned_unknowns() * static_cast<std::size_t>(scene.dimension()));
+  tangent->diagonal_blocks(blocks.data(), options.number("dilatation", linear::TwoLevel::dilatation_share(scene)));
+
+  const double start = now();
+  linear::TwoLevel two_level(medium::unknowns_map(scene.body()), scene, fixed, scene.bond_graph(),
+                             settings_of(options));
+  const double gridded = now();
+  two_level.set(blocks, 1.0);
+  const double built = now();
+  const int steps = static_cast<int>(options.number("steps", 1));
+  const linear::MaskedTangent masked(two_level.getDomainMap(), *tangent, fixed);
+  linear::ChebyshevAcceleration accelerated(two_level.getDomainMap(), scene.body(), fixed, masked, two_level, steps);
+  if (steps > 1) accelerated.estimate();
+  const linear::OwnedOperator* preconditioner = &two_level;
+  if (options.number("level", 2) == 1)
+    preconditioner = &two_level.block_jacobi();
+  else if (steps > 1)
+    preconditioner = &accelerated;
+
+  const Counted c = solve(*tangent, boundary, ranks, two_level, *preconditioner, scene.owned_unknowns());
   if (ranks.is_root())
     fmt::print(
         "{:12} {:3} {:24} {:4} its; coarse {:6}; each: product {:.4f}, apply {:.4f} (P {:.4f}, solve {:.4f}); "
         "grid {:.3f}, set {:.3f} s; {:.1f} MB factors, {:.1f} B/particle grid\n",
-        name, n,
-        [&] {
-          std::string all;
-          for (int a = 3; a < argc; ++a) all += std::string(argv[a]) + " ";
-          return all;
-        }(),
-        iterations, two_level.coarse_solver()->unknowns(), product / iterations, whole / iterations,
-        transfer / iterations, coarse / iterations, gridded - start, built - gridded,
+        name, n, all, c.iterations, two_level.coarse_solver()->unknowns(), c.product / c.iterations,
+        c.whole / c.iterations, c.transfer / c.iterations, c.coarse / c.iterations, gridded - start, built - gridded,
         static_cast<double>(two_level.coarse_solver()->bytes()) / 1e6,
         static_cast<double>(two_level.grid().bytes()) / scene.owned());
 }

@@ -73,6 +73,15 @@ void give_examples(CLI::App& cli) {
       "      a command");
 }
 
+/// "" if the first argument is a command or an option.
+std::string unknown_command(int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-' || std::find(commands.begin(), commands.end(), argv[1]) != commands.end())
+    return "";
+  const std::string hint = perinox::deck::nearest(argv[1], commands);
+  return fmt::format("{} is not a command{}; perinox --help lists the commands", argv[1],
+                     hint.empty() ? "" : ", did you mean " + hint + "?");
+}
+
 /// Parses the command line and runs the command. `ranks` is null if MPI is not up, as for the command study, whose runs
 /// are MPI programs of their own.
 int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool is_root) {
@@ -81,7 +90,6 @@ int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool
   std::string key;
   bool page = false, json_schema = false, study_keys = false;
   study::Request request;
-
   CLI::App cli{"Implicit quasi-static nonlinear peridynamics on Trilinos", "perinox"};
   cli.set_version_flag("--version", "perinox " PERINOX_VERSION);
   cli.require_subcommand(1);
@@ -114,11 +122,8 @@ int command_line(int argc, char** argv, const perinox::Communicator* ranks, bool
   help->add_flag("--study", study_keys, "print the table of a study's keys");
   give_examples(cli);
 
-  if (argc > 1 && argv[1][0] != '-' && std::find(commands.begin(), commands.end(), argv[1]) == commands.end()) {
-    const std::string hint = deck::nearest(argv[1], commands);
-    say(is_root, "perinox: ",
-        fmt::format("{} is not a command{}; perinox --help lists the commands", argv[1],
-                    hint.empty() ? "" : ", did you mean " + hint + "?"));
+  if (const std::string mistake = unknown_command(argc, argv); !mistake.empty()) {
+    say(is_root, "perinox: ", mistake);
     return 2;
   }
   try {

@@ -140,41 +140,39 @@ std::string parts_of_cells(const body::Body& body) {
                      body.communicator.min(least), body.communicator.max(most));
 }
 
-}  // namespace
-
-SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, const body::PartitionReport& partition) {
+std::string summary_of(const deck::Deck& deck, const mechanics::Scene& scene, const Totals& t,
+                       const body::PartitionReport& partition) {
   const body::Body& body = scene.body();
   const Communicator& ranks = body.communicator;
-  const Totals t = totals_of(scene);
-  const double d = body.dimension;
-  const auto particles = static_cast<double>(body.total);
-  const auto bonds = static_cast<double>(t.bonds);
-
-  SceneReport report;
-  report.summary = fmt::format("{}\n", deck.title);
-  report.summary += fmt::format("  {}: {} particles, {} unknowns, volume {:g}, horizon {:g}\n", name_of(deck.dimension),
-                                body.total, body.total * body.dimension, t.volume, scene.families().horizon);
-  report.summary += fmt::format("  {} directed bonds, {} to {} a family (mean {:.1f})", t.bonds, t.smallest, t.largest,
-                                bonds / particles);
-  if (t.cut > 0) report.summary += fmt::format(", {} cut by pre-cracks", t.cut);
-  if (t.across_gaps > 0) report.summary += fmt::format(", {} not made across gaps", t.across_gaps);
-  report.summary += "\n";
+  std::string out = fmt::format("{}\n", deck.title);
+  out += fmt::format("  {}: {} particles, {} unknowns, volume {:g}, horizon {:g}\n", name_of(deck.dimension),
+                     body.total, body.total * body.dimension, t.volume, scene.families().horizon);
+  out += fmt::format("  {} directed bonds, {} to {} a family (mean {:.1f})", t.bonds, t.smallest, t.largest,
+                     static_cast<double>(t.bonds) / static_cast<double>(body.total));
+  if (t.cut > 0) out += fmt::format(", {} cut by pre-cracks", t.cut);
+  if (t.across_gaps > 0) out += fmt::format(", {} not made across gaps", t.across_gaps);
+  out += "\n";
   if (const long long deficient = ranks.sum(scene.families().deficient); deficient > 0)
-    report.summary += fmt::format(
+    out += fmt::format(
         "  {} particles have families that cannot tell all strains apart (a layer one particle thick, few bonds): they "
         "keep the plain formulas, which are wrong there\n",
         deficient);
   if (ranks.size() > 1)
-    report.summary +=
-        fmt::format("  {} ranks: particles {}, ghosts {}, imbalance {:.3f} in bonds, {:.3f} in particles\n",
-                    ranks.size(), fmt::join(partition.owned, " "), fmt::join(partition.ghosts, " "),
-                    partition.bond_imbalance, partition.particle_imbalance);
+    out += fmt::format("  {} ranks: particles {}, ghosts {}, imbalance {:.3f} in bonds, {:.3f} in particles\n",
+                       ranks.size(), fmt::join(partition.owned, " "), fmt::join(partition.ghosts, " "),
+                       partition.bond_imbalance, partition.particle_imbalance);
+  return out;
+}
 
-  std::string& out = report.details;
-  out += "bodies\n";
+/// Bodies, materials and sets.
+std::string parts_of(const deck::Deck& deck, const mechanics::Scene& scene) {
+  const body::Body& body = scene.body();
+  const auto particles = [&](const std::string& set) {
+    return body.communicator.sum(static_cast<long long>(body.sets.at(set).size()));
+  };
+  std::string out = "bodies\n";
   for (const deck::BodyPart& part : deck.body)
-    out += fmt::format("  {}: {} particles of {}\n", part.name,
-                       ranks.sum(static_cast<long long>(body.sets.at(part.name).size())), part.material);
+    out += fmt::format("  {}: {} particles of {}\n", part.name, particles(part.name), part.material);
   if (deck.overlap == deck::Overlap::later_wins)
     for (const body::Overlap& overlap : body::find_overlaps(deck))
       out += fmt::format("  {} takes about {:.4g} from {}, which it overlaps\n", deck.body[overlap.later].name,
@@ -183,14 +181,45 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   for (std::size_t m = 0; m < deck.materials.size(); ++m)
     out += fmt::format("  {}: {}\n", deck.materials[m].name, scene.materials()[m]->summary());
   if (!deck.sets.empty()) out += "sets\n";
-  for (const deck::Set& set : deck.sets)
-    out +=
-        fmt::format("  {}: {} particles\n", set.name, ranks.sum(static_cast<long long>(body.sets.at(set.name).size())));
+  for (const deck::Set& set : deck.sets) out += fmt::format("  {}: {} particles\n", set.name, particles(set.name));
+  return out;
+}
 
-  // The following lines say what is carried and what it costs.
+std::string fields_and_terms(const deck::Deck& deck, const mechanics::Scene& scene, const Totals& t) {
+  const body::Body& body = scene.body();
+  std::string out = "fields and terms\n";
+  if (body.dimension == 2) out += "  thickness 1: forces, reactions and energies are per unit thickness\n";
+  out += scene.lattice()
+             ? fmt::format("  families: a stencil of {} offsets and their reverses, the same for every particle\n",
+                           scene.lattice()->offsets().size())
+             : "  families: a list of pairs, each kept once\n";
+  out += scene.small_strain() ? "  small strain: bonds keep their direction, no geometric term\n"
+                              : "  finite deformation: direction and geometric term of every bond, recomputed\n";
+  out += t.bond_history > 0
+             ? fmt::format(
+                   "  plastic extension on {} of {} bonds, only where something has flowed; {} point history values; "
+                   "rank-two modulus where it flows, rank-one elsewhere\n",
+                   t.bond_history, t.bonds, t.point_history)
+             : "  no plastic history: no block needs it; rank-one modulus\n";
+  out += t.cut > 0 ? "  pre-cracks: bonds cut at the start\n" : "  no pre-cracks\n";
+  const long long fitted = body.communicator.sum(static_cast<long long>(scene.families().moments.size()));
+  if (fitted > 0)
+    out += fmt::format("  strain fitted at {} of {} particles: bonds with such an end carry {} sums instead of one\n",
+                       fitted, body.total, bonds::mandel_size(body.dimension));
+  else if (deck.quadrature == deck::Quadrature::position_aware)
+    out +=
+        "  no strain fitted: every family is a whole one, cannot tell strains apart, or has a material "
+        "without a fit\n";
+  return out + parts_of_cells(body);
+}
+
+/// Memory, the choice of the solver, and what one product costs.
+std::string costs(const deck::Deck& deck, const mechanics::Scene& scene, const Totals& t) {
   const Memory memory = memory_of(scene);
+  const double d = scene.dimension();
+  const auto particles = static_cast<double>(scene.body().total);
+  const auto bonds = static_cast<double>(t.bonds);
   const double local = particles + static_cast<double>(t.ghosts);
-  const double plastic_bonds = static_cast<double>(t.bond_history);
   // The bytes of points are those of reference, id, volume and the like, and of committed, trial, evaluated and earlier
   // displacement, forces and point values.
   const double points = local * (2 * d + 3) * sizeof(double) + local * 5 * d * sizeof(double) +
@@ -204,31 +233,7 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   // A row of the matrix is two families wide: a sphere of twice the horizon holds 8 (2-D: 4) families, less its thin
   // rim.
   const double matrix = bonds * (d == 3 ? 6.8 : 3.7) * d * d * 12;
-  const bool lattice = scene.lattice() != nullptr;
-  out += "fields and terms\n";
-  if (body.dimension == 2) out += "  thickness 1: forces, reactions and energies are per unit thickness\n";
-  out += lattice ? fmt::format("  families: a stencil of {} offsets and their reverses, the same for every particle\n",
-                               scene.lattice()->offsets().size())
-                 : "  families: a list of pairs, each kept once\n";
-  out += scene.small_strain() ? "  small strain: bonds keep their direction, no geometric term\n"
-                              : "  finite deformation: direction and geometric term of every bond, recomputed\n";
-  out += t.bond_history > 0
-             ? fmt::format(
-                   "  plastic extension on {} of {} bonds, only where something has flowed; {} point history values; "
-                   "rank-two modulus where it flows, rank-one elsewhere\n",
-                   t.bond_history, t.bonds, t.point_history)
-             : "  no plastic history: no block needs it; rank-one modulus\n";
-  out += t.cut > 0 ? "  pre-cracks: bonds cut at the start\n" : "  no pre-cracks\n";
-  const long long fitted = ranks.sum(static_cast<long long>(scene.families().moments.size()));
-  if (fitted > 0)
-    out += fmt::format("  strain fitted at {} of {} particles: bonds with such an end carry {} sums instead of one\n",
-                       fitted, body.total, bonds::mandel_size(body.dimension));
-  else if (deck.quadrature == deck::Quadrature::position_aware)
-    out +=
-        "  no strain fitted: every family is a whole one, cannot tell strains apart, or has a material "
-        "without a fit\n";
-  out += parts_of_cells(body);
-  out += "memory, all ranks\n";
+  std::string out = "memory, all ranks\n";
   const auto line = [&](const char* what, double value) {
     out += fmt::format("  {}: {}, {:.0f} bytes a particle\n", what, bytes(value), value / particles);
   };
@@ -243,12 +248,23 @@ SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, cons
   if (!in_time) out += fmt::format("solver\n  {}\n{}", tangent_choice(deck.solver, matrix, particles * d), steps);
   // Operations are counted in the sweeps, a reciprocal root as twelve: 12 d + 14 a directed bond, 8 more where it
   // flows. From memory a product reads the plastic extension twice and everything else about once.
-  const double product = bonds * (12 * d + 14) + 8 * plastic_bonds;
+  const double product = bonds * (12 * d + 14) + 8 * static_cast<double>(t.bond_history);
   const double read = memory.loops / 2 + memory.families + 2 * memory.plastic;
-  out += fmt::format("cost\n  one {} {:.3g} Mflop, at most {} read; {}\n", in_time ? "time step" : "product",
-                     product / 1e6, bytes(read),
-                     in_time ? fmt::format("{} rows", deck.steps.count)
-                             : fmt::format("{} load steps of a few Newton iterations each", deck.steps.count));
+  return out + fmt::format("cost\n  one {} {:.3g} Mflop, at most {} read; {}\n", in_time ? "time step" : "product",
+                           product / 1e6, bytes(read),
+                           in_time ? fmt::format("{} rows", deck.steps.count)
+                                   : fmt::format("{} load steps of a few Newton iterations each", deck.steps.count));
+}
+
+}  // namespace
+
+SceneReport describe(const deck::Deck& deck, const mechanics::Scene& scene, const body::PartitionReport& partition) {
+  const Totals t = totals_of(scene);
+  SceneReport report;
+  report.summary = summary_of(deck, scene, t, partition);
+  report.details = parts_of(deck, scene);
+  report.details += fields_and_terms(deck, scene, t);
+  report.details += costs(deck, scene, t);
   return report;
 }
 

@@ -119,14 +119,8 @@ std::vector<loads::FreePiece> find_pushed(const mechanics::Scene& scene, const l
   return pushed;
 }
 
-}  // namespace
-
-LoosePieces find_loose(mechanics::Scene& scene, const loads::Boundary& boundary,
-                       const mechanics::PlasticExtension& plastic, const PiecesLoads& loads) {
-  const body::Body& body = scene.body();
-  const int d = scene.dimension();
-  LoosePieces found;
-  found.loose.assign(static_cast<std::size_t>(scene.owned()), 0);
+/// Breaks bonds of particles that they cannot hold, until none is left.
+void cut_all_hanging(mechanics::Scene& scene, const mechanics::PlasticExtension& plastic, LoosePieces& found) {
   for (;;) {
     const std::size_t before = scene.broken().size();
     const long long cut = cut_hanging(scene, plastic);
@@ -137,7 +131,36 @@ LoosePieces find_loose(mechanics::Scene& scene, const loads::Boundary& boundary,
   if (found.broken > 0)
     found.sentences.push_back(
         fmt::format("{} bonds broken that were the last of particles they could not hold", found.broken));
+}
 
+/// Says which pieces, of those marked, have lost all support. Returns how many there are.
+int name_pieces(const bonds::Components& components, const std::vector<char>& lost, LoosePieces& found) {
+  int pieces = 0, single = 0;
+  for (std::size_t k = 0; k < lost.size(); ++k) {
+    if (!lost[k]) continue;
+    ++pieces;
+    if (components.particles[k] == 1) ++single;
+    if (components.particles[k] > 1 && pieces - single <= most_named)
+      found.sentences.push_back(
+          fmt::format("a piece of {} particles, the first of them {}, has lost all support and is held where it is",
+                      components.particles[k], components.first[k]));
+  }
+  if (pieces - single > most_named) found.sentences.push_back(fmt::format("{} loose pieces in all", pieces - single));
+  if (single > 0)
+    found.sentences.push_back(
+        fmt::format("{} single particles have lost all their bonds and are held where they are", single));
+  return pieces;
+}
+
+}  // namespace
+
+LoosePieces find_loose(mechanics::Scene& scene, const loads::Boundary& boundary,
+                       const mechanics::PlasticExtension& plastic, const PiecesLoads& loads) {
+  const body::Body& body = scene.body();
+  const int d = scene.dimension();
+  LoosePieces found;
+  found.loose.assign(static_cast<std::size_t>(scene.owned()), 0);
+  cut_all_hanging(scene, plastic, found);
   const bonds::Components components = bonds::connected_components(body, scene.bond_graph());
   const auto count = static_cast<std::size_t>(components.count());
   std::vector<double> touched(count, 0.0), known(count, 0.0);
@@ -162,27 +185,12 @@ LoosePieces find_loose(mechanics::Scene& scene, const loads::Boundary& boundary,
     pushed[k] = 1;
     ++pushed_pieces;
   }
-  int pieces = 0;
-  long long particles = 0, single = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (touched[k] > 0 || known[k] > 0) continue;
-    ++pieces;
-    particles += components.particles[k];
-    if (components.particles[k] == 1) ++single;
-    if (components.particles[k] > 1 && pieces - static_cast<int>(single) <= most_named)
-      found.sentences.push_back(
-          fmt::format("a piece of {} particles, the first of them {}, has lost all support and is held where it is",
-                      components.particles[k], components.first[k]));
-  }
-  if (pieces - static_cast<int>(single) > most_named)
-    found.sentences.push_back(fmt::format("{} loose pieces in all", pieces - static_cast<int>(single)));
-  if (single > 0)
-    found.sentences.push_back(
-        fmt::format("{} single particles have lost all their bonds and are held where they are", single));
-  if (pieces + pushed_pieces == 0) return found;
+  std::vector<char> lost(count, 0);
+  for (std::size_t k = 0; k < count; ++k) lost[k] = touched[k] > 0 || known[k] > 0 ? 0 : 1;
+  if (name_pieces(components, lost, found) + pushed_pieces == 0) return found;
   for (LocalIndex i = 0; i < scene.owned(); ++i) {
     const auto k = static_cast<std::size_t>(components.of[i]);
-    found.loose[i] = pushed[k] != 0 || (touched[k] == 0 && known[k] == 0) ? 1 : 0;
+    found.loose[i] = pushed[k] != 0 || lost[k] != 0 ? 1 : 0;
   }
   return found;
 }

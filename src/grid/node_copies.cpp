@@ -107,6 +107,105 @@ Keys suspects(const body::Body& body, const std::vector<double>& damage, const C
   return all;
 }
 
+/// Cells that are looked at for pieces: the suspect ones and those around them.
+Keys with_neighbors(const Keys& suspect, const Cells& cells, const std::vector<std::array<int, 3>>& around) {
+  Keys looked_at;
+  for (const GlobalId key : suspect)
+    for (const auto& offset : around) {
+      const GlobalId beside = cells.cell_beside(cells.cell_place(key), offset);
+      if (beside >= 0) looked_at.insert(beside);
+    }
+  return looked_at;
+}
+
+/// Which piece of its cell each particle belongs to, named by the lowest particle id in it: [local], whole numbers
+/// below 2^53. Bonds join particles on this rank, then the owners' labels go to the ghosts until no label falls any
+/// more. (A bond is in both ends' families, so the owner of a ghost sees the same bond from its side.) Collective.
+std::vector<double> label_pieces(const body::Body& body, const std::vector<GlobalId>& cell,
+                                 const std::vector<char>& inside, const bonds::BondGraph& graph) {
+  const auto local = static_cast<std::size_t>(body.local());
+  DisjointSets joined(local);
+  std::vector<LocalIndex> neighbors;
+  for (LocalIndex i = 0; i < body.owned; ++i) {
+    if (!inside[i]) continue;
+    graph(i, neighbors);
+    for (const LocalIndex j : neighbors)
+      if (cell[j] == cell[i]) joined.join(i, j);
+  }
+  std::vector<double> label(local);
+  for (std::size_t i = 0; i < local; ++i) label[i] = static_cast<double>(body.id[i]);
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    for (LocalIndex i = 0; i < body.local(); ++i) {
+      double& root = label[joined.root(i)];
+      if (label[i] < root) root = label[i];
+    }
+    for (LocalIndex i = 0; i < body.local(); ++i) {
+      const double root = label[joined.root(i)];
+      changed = changed || (i < body.owned && root < label[i]);
+      label[i] = root;
+    }
+    body.halo.update_ghosts(label.data(), 1);
+    changed = body.communicator.any(changed);
+  }
+  return label;
+}
+
+using Pairs = std::set<std::pair<GlobalId, GlobalId>>;
+
+Pairs gather_pairs(const Communicator& ranks, const Pairs& pairs) {
+  std::vector<long long> flat;
+  for (const auto& [a, b] : pairs) flat.insert(flat.end(), {a, b});
+  flat = ranks.gather(flat);
+  Pairs all;
+  for (std::size_t k = 0; k + 1 < flat.size(); k += 2) all.insert({flat[k], flat[k + 1]});
+  return all;
+}
+
+/// The pieces of all ranks, and which of them bonds tie together from cell to cell.
+struct Pieces {
+  std::unordered_map<GlobalId, std::vector<GlobalId>> of_cell, tied_to;  ///< tied_to: of a lower piece, higher ones
+
+  /// label: of label_pieces(). Collective.
+  Pieces(const body::Body& body, const std::vector<GlobalId>& cell, const std::vector<char>& inside,
+         const std::vector<double>& label, const bonds::BondGraph& graph) {
+    Pairs pieces, ties;  // (cell, piece); (lower piece, higher piece)
+    std::vector<LocalIndex> neighbors;
+    for (LocalIndex i = 0; i < body.owned; ++i) {
+      if (!inside[i]) continue;
+      const auto piece = static_cast<GlobalId>(label[i]);
+      pieces.insert({cell[i], piece});
+      graph(i, neighbors);
+      GlobalId last = -1;
+      for (const LocalIndex j : neighbors) {
+        if (cell[j] == cell[i] || !inside[j]) continue;
+        const auto other = static_cast<GlobalId>(label[j]);
+        if (other == last) continue;  // neighbours of one piece often follow each other
+        last = other;
+        ties.insert({std::min(piece, other), std::max(piece, other)});
+      }
+    }
+    for (const auto& [key, piece] : gather_pairs(body.communicator, pieces)) of_cell[key].push_back(piece);
+    for (const auto& [a, b] : gather_pairs(body.communicator, ties)) tied_to[a].push_back(b);
+  }
+
+  /// Joins those of the members, ascending, that are tied together.
+  DisjointSets components(const std::vector<GlobalId>& members) const {
+    DisjointSets joined(members.size());
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const auto found = tied_to.find(members[k]);
+      if (found == tied_to.end()) continue;
+      for (const GlobalId other : found->second) {
+        const auto at = std::lower_bound(members.begin(), members.end(), other);
+        if (at != members.end() && *at == other)
+          joined.join(static_cast<LocalIndex>(k), static_cast<LocalIndex>(at - members.begin()));
+      }
+    }
+    return joined;
+  }
+};
+
 }  // namespace
 
 GlobalId NodeCopies::copy_of(GlobalId node, GlobalId piece) const {
@@ -129,109 +228,42 @@ NodeCopies::NodeCopies(const body::Body& body, const std::vector<double>& damage
   if (suspect.empty()) return;
 
   const auto around = offsets_around(body.dimension);
-  Keys looked_at;
-  for (const GlobalId key : suspect)
-    for (const auto& offset : around) {
-      const GlobalId beside = cells.cell_beside(cells.cell_place(key), offset);
-      if (beside >= 0) looked_at.insert(beside);
-    }
-
-  // Find the pieces of each cell. Bonds join particles on this rank, then the owners' labels go to the ghosts until no
-  // label falls any more. (A bond is in both ends' families, so the owner of a ghost sees the same bond from its side.)
-  DisjointSets joined(local);
+  const Keys looked_at = with_neighbors(suspect, cells, around);
   std::vector<char> inside(local);
   for (std::size_t i = 0; i < local; ++i) inside[i] = looked_at.count(cell[i]) > 0;
-  std::vector<LocalIndex> neighbors;
-  for (LocalIndex i = 0; i < body.owned; ++i) {
-    if (!inside[i]) continue;
-    graph(i, neighbors);
-    for (const LocalIndex j : neighbors)
-      if (cell[j] == cell[i]) joined.join(i, j);
-  }
-  std::vector<double> label(local);  // ids are whole numbers below 2^53
-  for (std::size_t i = 0; i < local; ++i) label[i] = static_cast<double>(body.id[i]);
-  bool changed = true;
-  while (changed) {
-    changed = false;
-    for (LocalIndex i = 0; i < body.local(); ++i) {
-      double& root = label[joined.root(i)];
-      if (label[i] < root) root = label[i];
-    }
-    for (LocalIndex i = 0; i < body.local(); ++i) {
-      const double root = label[joined.root(i)];
-      changed = changed || (i < body.owned && root < label[i]);
-      label[i] = root;
-    }
-    body.halo.update_ghosts(label.data(), 1);
-    changed = body.communicator.any(changed);
-  }
+  const std::vector<double> label = label_pieces(body, cell, inside, graph);
   piece_.assign(static_cast<std::size_t>(body.owned), -1);
   for (LocalIndex i = 0; i < body.owned; ++i)
     if (inside[i]) piece_[i] = static_cast<GlobalId>(label[i]);
+  const Pieces pieces(body, cell, inside, label, graph);
 
-  // Collect the pieces of all ranks with their cells, and the pairs of pieces in cells side by side that bonds tie.
-  std::set<std::pair<GlobalId, GlobalId>> pieces, ties;  // (cell, piece); (lower piece, higher piece)
-  for (LocalIndex i = 0; i < body.owned; ++i) {
-    if (!inside[i]) continue;
-    pieces.insert({cell[i], piece_[i]});
-    graph(i, neighbors);
-    GlobalId last = -1;
-    for (const LocalIndex j : neighbors) {
-      if (cell[j] == cell[i] || !inside[j]) continue;
-      const auto other = static_cast<GlobalId>(label[j]);
-      if (other == last) continue;  // neighbours of one piece often follow each other
-      last = other;
-      ties.insert({std::min(piece_[i], other), std::max(piece_[i], other)});
-    }
-  }
-  const auto gather_pairs = [&](const std::set<std::pair<GlobalId, GlobalId>>& pairs) {
-    std::vector<long long> flat;
-    for (const auto& [a, b] : pairs) flat.insert(flat.end(), {a, b});
-    flat = body.communicator.gather(flat);
-    std::set<std::pair<GlobalId, GlobalId>> all;
-    for (std::size_t k = 0; k + 1 < flat.size(); k += 2) all.insert({flat[k], flat[k + 1]});
-    return all;
-  };
-  pieces = gather_pairs(pieces);
-  ties = gather_pairs(ties);
-  std::unordered_map<GlobalId, std::vector<GlobalId>> pieces_of, tied_to;
-  for (const auto& [key, piece] : pieces) pieces_of[key].push_back(piece);
-  for (const auto& [a, b] : ties) tied_to[a].push_back(b);
-
-  // Find the connected components among the pieces around each suspect node, in the order of their lowest particle.
   std::set<GlobalId> nodes;
   for (const GlobalId key : suspect)
     for (int c = 0; c < cells.corners(); ++c) nodes.insert(cells.node_at(cells.cell_place(key), c));
   for (const GlobalId node : nodes) {
-    const Cells::Place place = cells.node_place(node);
     std::vector<GlobalId> members;
     for (const auto& offset : around) {
       if (offset[0] > 0 || offset[1] > 0 || offset[2] > 0) continue;  // the cells whose upper corners meet here
-      const auto found = pieces_of.find(cells.cell_beside(place, offset));
-      if (found != pieces_of.end()) members.insert(members.end(), found->second.begin(), found->second.end());
+      const auto found = pieces.of_cell.find(cells.cell_beside(cells.node_place(node), offset));
+      if (found != pieces.of_cell.end()) members.insert(members.end(), found->second.begin(), found->second.end());
     }
     std::sort(members.begin(), members.end());
-    DisjointSets component(members.size());
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      const auto found = tied_to.find(members[k]);
-      if (found == tied_to.end()) continue;
-      for (const GlobalId other : found->second) {
-        const auto at = std::lower_bound(members.begin(), members.end(), other);
-        if (at != members.end() && *at == other)
-          component.join(static_cast<LocalIndex>(k), static_cast<LocalIndex>(at - members.begin()));
-      }
+    copy_node(node, members, pieces.components(members));
+  }
+}
+
+// The copies are numbered in the order of their lowest particle. The first one is the node itself.
+void NodeCopies::copy_node(GlobalId node, const std::vector<GlobalId>& members, DisjointSets component) {
+  std::map<LocalIndex, GlobalId> id_of_root;
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    const LocalIndex root = component.root(static_cast<LocalIndex>(k));
+    if (root == 0) continue;
+    const auto [at, is_new] = id_of_root.emplace(root, first_extra_ + extra_copies_);
+    if (is_new) {
+      original_.push_back(node);
+      ++extra_copies_;
     }
-    std::map<LocalIndex, GlobalId> id_of_root;
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      const LocalIndex root = component.root(static_cast<LocalIndex>(k));
-      if (root == 0) continue;  // the first copy is the node itself
-      const auto [at, is_new] = id_of_root.emplace(root, first_extra_ + extra_copies_);
-      if (is_new) {
-        original_.push_back(node);
-        ++extra_copies_;
-      }
-      copy_[{node, members[k]}] = at->second;
-    }
+    copy_[{node, members[k]}] = at->second;
   }
 }
 

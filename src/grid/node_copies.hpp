@@ -5,6 +5,7 @@
 
 #include "perinox/bonds/bond_graph.hpp"
 #include "perinox/grid/cells.hpp"
+#include "perinox/grid/disjoint_sets.hpp"
 
 namespace perinox::grid {
 
@@ -31,6 +32,9 @@ class NodeCopies {
   GlobalId original(GlobalId id) const;
 
  private:
+  /// members: pieces around a node, ascending; component: which of them belong together.
+  void copy_node(GlobalId node, const std::vector<GlobalId>& members, DisjointSets component);
+
   std::vector<GlobalId> piece_;                             ///< [owned], or empty
   std::map<std::pair<GlobalId, GlobalId>, GlobalId> copy_;  ///< (node, piece) to id; first copies are left out
   std::vector<GlobalId> original_;                          ///< [extra copies] node

@@ -71,6 +71,12 @@ std::vector<long long> labels(const Communicator& ranks, const grid::SharedNodes
   return label;
 }
 
+template <class Value>
+void sort_once(std::vector<Value>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
 }  // namespace
 
 Nesting nest(const Communicator& ranks, const grid::SharedNodes& shared, const GridNodes& fine,
@@ -84,10 +90,6 @@ Nesting nest(const Communicator& ranks, const grid::SharedNodes& shared, const G
     const Place place = parent_at(fine.place[k / slots], k % slots);
     local.push_back({place[2], place[1], place[0], label[k]});
   }
-  const auto sort_once = [](std::vector<Copy>& copies) {
-    std::sort(copies.begin(), copies.end());
-    copies.erase(std::unique(copies.begin(), copies.end()), copies.end());
-  };
   const std::vector<Copy> every = local;
   sort_once(local);
   std::vector<Copy> all = local;
@@ -120,60 +122,76 @@ Nesting nest(const Communicator& ranks, const grid::SharedNodes& shared, const G
   return nesting;
 }
 
-CoarseMatrix galerkin(const Nesting& nesting, const CoarseMatrix& fine) {
-  const std::size_t nodes = nesting.parent_begin.size() - 1, coarse_nodes = nesting.coarse.id.size();
-  const auto entries = static_cast<std::size_t>(fine.dimension * fine.dimension);
-  const auto parents = [&](std::size_t n) { return std::pair(nesting.parent_begin[n], nesting.parent_begin[n + 1]); };
-  // A row of A W at a time: its columns first, for the pattern, then its blocks.
-  std::vector<LocalIndex> columns;
-  std::vector<char> met(coarse_nodes, 0);
-  const auto columns_of_row = [&](std::size_t n) {
-    columns.clear();
-    for (std::size_t k = fine.row_begin[n]; k < fine.row_begin[n + 1]; ++k) {
-      const auto [first, last] = parents(static_cast<std::size_t>(fine.column[k]));
+namespace {
+
+/// A row of A W at a time: the columns in which it has blocks.
+class ProductRow {
+ public:
+  ProductRow(const Nesting& nesting, const CoarseMatrix& fine)
+      : nesting_(nesting), fine_(fine), met_(nesting.coarse.id.size(), 0) {}
+
+  const std::vector<LocalIndex>& columns(std::size_t n) {
+    columns_.clear();
+    for (std::size_t k = fine_.row_begin[n]; k < fine_.row_begin[n + 1]; ++k) {
+      const auto [first, last] = nesting_.parents(static_cast<std::size_t>(fine_.column[k]));
       for (std::size_t p = first; p < last; ++p) {
-        if (met[nesting.parent[p]]) continue;
-        met[nesting.parent[p]] = 1;
-        columns.push_back(nesting.parent[p]);
+        if (met_[nesting_.parent[p]]) continue;
+        met_[nesting_.parent[p]] = 1;
+        columns_.push_back(nesting_.parent[p]);
       }
     }
-    for (const LocalIndex column : columns) met[column] = 0;
-  };
-  std::vector<std::vector<LocalIndex>> beside(coarse_nodes);
-  for (std::size_t n = 0; n < nodes; ++n) {
-    columns_of_row(n);
-    const auto [first, last] = parents(n);
+    for (const LocalIndex column : columns_) met_[column] = 0;
+    return columns_;
+  }
+
+ private:
+  const Nesting& nesting_;
+  const CoarseMatrix& fine_;
+  std::vector<LocalIndex> columns_;
+  std::vector<char> met_;
+};
+
+/// The pattern of W^T A W, with zeros.
+CoarseMatrix galerkin_pattern(const Nesting& nesting, const CoarseMatrix& fine, ProductRow& product) {
+  std::vector<std::vector<LocalIndex>> beside(nesting.coarse.id.size());
+  for (std::size_t n = 0; n + 1 < nesting.parent_begin.size(); ++n) {
+    const std::vector<LocalIndex>& columns = product.columns(n);
+    const auto [first, last] = nesting.parents(n);
     for (std::size_t p = first; p < last; ++p) {
       auto& row = beside[nesting.parent[p]];
       const std::size_t old = row.size();
       row.insert(row.end(), columns.begin(), columns.end());
-      if (old < 64) continue;
-      std::sort(row.begin(), row.end());
-      row.erase(std::unique(row.begin(), row.end()), row.end());
+      if (old >= 64) sort_once(row);
     }
   }
   CoarseMatrix coarse;
   coarse.dimension = fine.dimension;
   coarse.row_begin.push_back(0);
   for (auto& row : beside) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
+    sort_once(row);
     coarse.column.insert(coarse.column.end(), row.begin(), row.end());
     coarse.row_begin.push_back(coarse.column.size());
   }
-  coarse.value.assign(coarse.column.size() * entries, 0.0);
+  coarse.value.assign(coarse.column.size() * static_cast<std::size_t>(fine.dimension * fine.dimension), 0.0);
+  return coarse;
+}
 
-  std::vector<double> blocks(coarse_nodes * entries, 0.0);
-  for (std::size_t n = 0; n < nodes; ++n) {
-    columns_of_row(n);
+}  // namespace
+
+CoarseMatrix galerkin(const Nesting& nesting, const CoarseMatrix& fine) {
+  const auto entries = static_cast<std::size_t>(fine.dimension * fine.dimension);
+  ProductRow product(nesting, fine);
+  CoarseMatrix coarse = galerkin_pattern(nesting, fine, product);
+  std::vector<double> blocks(nesting.coarse.id.size() * entries, 0.0);
+  for (std::size_t n = 0; n + 1 < nesting.parent_begin.size(); ++n) {
     for (std::size_t k = fine.row_begin[n]; k < fine.row_begin[n + 1]; ++k) {
-      const auto [first, last] = parents(static_cast<std::size_t>(fine.column[k]));
+      const auto [first, last] = nesting.parents(static_cast<std::size_t>(fine.column[k]));
       for (std::size_t p = first; p < last; ++p)
         for (std::size_t e = 0; e < entries; ++e)
           blocks[nesting.parent[p] * entries + e] += nesting.weight[p] * fine.value[k * entries + e];
     }
-    const auto [first, last] = parents(n);
-    for (const LocalIndex column : columns) {
+    const auto [first, last] = nesting.parents(n);
+    for (const LocalIndex column : product.columns(n)) {
       double* sum = &blocks[column * entries];
       for (std::size_t p = first; p < last; ++p) {
         double* to = coarse.block(nesting.parent[p], column);

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "coarse_elasticity.hpp"
@@ -22,6 +23,9 @@ struct Nesting {
   std::vector<std::size_t> parent_begin;  ///< [fine nodes + 1]
   std::vector<LocalIndex> parent;         ///< local coarse nodes
   std::vector<double> weight;             ///< of each parent, sum 1 over a node's parents
+
+  /// Where the parents of fine node n begin and end.
+  std::pair<std::size_t, std::size_t> parents(std::size_t n) const { return {parent_begin[n], parent_begin[n + 1]}; }
 };
 
 /// joined: a matrix over the fine nodes whose pattern says what is tied together on this rank. Collective.

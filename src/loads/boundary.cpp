@@ -73,16 +73,7 @@ Boundary::Boundary(const deck::Deck& deck, const medium::Model& model) : model_(
     entries_.push_back(std::move(entry));
   }
 
-  body.halo.update_ghosts(mark.data(), d);
-  prescribed_.assign(mark.size(), 0);
-  std::transform(mark.begin(), mark.end(), prescribed_.begin(), [](double m) { return static_cast<char>(m != 0); });
-  count_unknowns();
-  for (std::size_t u = 0; u < prescriber.size(); ++u) {
-    if (prescriber[u] < 0 || entries_[static_cast<std::size_t>(prescriber[u])].load->kind != deck::LoadKind::velocity)
-      continue;
-    driven_by_velocity_.resize(prescriber.size(), 0);
-    driven_by_velocity_[u] = 1;
-  }
+  take_prescribed(mark, prescriber);
   if (deck.dynamics == deck::Dynamics::quasi_static) {
     if (prescribed_count_ == 0)
       deck::refuse(
@@ -97,6 +88,21 @@ Boundary::Boundary(const deck::Deck& deck, const medium::Model& model) : model_(
   model_.body().communicator.agree_on_input_error(first_not_finite(deck.steps.end));
   keep_steady_values();
   remark_on_reversals(deck);
+}
+
+/// mark: [local * dimension], 1 where an entry prescribes something; prescriber: [owned * dimension] the last one that
+/// does, or -1. Collective.
+void Boundary::take_prescribed(std::vector<double>& mark, const std::vector<int>& prescriber) {
+  model_.body().halo.update_ghosts(mark.data(), model_.dimension());
+  prescribed_.assign(mark.size(), 0);
+  std::transform(mark.begin(), mark.end(), prescribed_.begin(), [](double m) { return static_cast<char>(m != 0); });
+  count_unknowns();
+  for (std::size_t u = 0; u < prescriber.size(); ++u) {
+    if (prescriber[u] < 0 || entries_[static_cast<std::size_t>(prescriber[u])].load->kind != deck::LoadKind::velocity)
+      continue;
+    driven_by_velocity_.resize(prescriber.size(), 0);
+    driven_by_velocity_[u] = 1;
+  }
 }
 
 void Boundary::keep_steady_values() {

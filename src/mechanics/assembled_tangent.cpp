@@ -1,4 +1,4 @@
-#include "perinox/mechanics/assembled_tangent.hpp"
+#include "assembled_tangent.hpp"
 
 #include <Tpetra_CrsGraph.hpp>
 #include <Tpetra_CrsMatrix.hpp>
@@ -78,15 +78,19 @@ void AssembledTangent::build_pattern() {
   }
 }
 
-template <int d>
-void AssembledTangent::fill_rows(const StoredTangent& tangent, double prescribed_diagonal, double* values) const {
-  constexpr int max_rank = materials::ModulusState::max_rank;
-  const bonds::Bonds& bonds = scene_.bonds();
-  const auto owned = static_cast<std::size_t>(scene_.owned());
+namespace {
 
-  // The centre's entry of a rank-one term is minus the sum over its family.
-  std::vector<std::array<double, 2 * max_rank * d>> centre(owned);
-  for (std::size_t i = 0; i < owned; ++i) {
+constexpr int max_rank = materials::ModulusState::max_rank;
+
+/// p and q of every rank-one term at the centre of a family, each minus its sum over the family: [rank][p, q][d].
+template <int d>
+using CentreTerms = std::array<double, 2 * max_rank * d>;
+
+template <int d>
+std::vector<CentreTerms<d>> centre_terms(const Scene& scene, const StoredTangent& tangent) {
+  const bonds::Bonds& bonds = scene.bonds();
+  std::vector<CentreTerms<d>> centre(static_cast<std::size_t>(scene.owned()));
+  for (std::size_t i = 0; i < centre.size(); ++i) {
     const auto particle = static_cast<LocalIndex>(i);
     const std::int64_t first = bonds.offset[i];
     centre[i].fill(0.0);
@@ -102,64 +106,89 @@ void AssembledTangent::fill_rows(const StoredTangent& tangent, double prescribed
       }
     }
   }
+  return centre;
+}
 
+/// The d rows of one particle, into which families add.
+template <int d>
+struct ParticleRows {
+  const Scene& scene;
+  const StoredTangent& tangent;
+  const std::vector<CentreTerms<d>>& centre;
+  const std::vector<std::size_t>& place;  ///< [local] column of a particle within the rows
+  double* rows;
+  std::size_t width;
+
+  /// The bond-wise part of bond j of the family of i.
+  void add_bond(LocalIndex i, int j, std::size_t column, double sign) const {
+    const bonds::Bonds& bonds = scene.bonds();
+    const std::int64_t b = bonds.offset[i] + j;
+    const double* m = tangent.direction(b);
+    const double g = tangent.geometric(b);
+    const double w = sign * scene.body().volume[i] * bonds.weight[b];
+    for (int c = 0; c < d; ++c)
+      for (int e = 0; e < d; ++e)
+        rows[static_cast<std::size_t>(c) * width + column + e] +=
+            w * ((tangent.diagonal(b) - g) * m[c] * m[e] + (c == e ? g : 0.0));
+  }
+
+  void add_outer(std::size_t column, const double* left, const double* right) const {
+    for (int c = 0; c < d; ++c)
+      for (int e = 0; e < d; ++e) rows[static_cast<std::size_t>(c) * width + column + e] += left[c] * right[e];
+  }
+
+  /// Rank-one term r of the family of i; the rows are those of its neighbour ja, or of i itself where ja is -1.
+  void add_term(LocalIndex i, int ja, int r) const {
+    const bonds::Bonds& bonds = scene.bonds();
+    const StoredTangent::Term& term = tangent.term(i, r);
+    const std::int64_t first = bonds.offset[i];
+    double left[d];
+    for (int c = 0; c < d; ++c)
+      left[c] = scene.body().volume[i] * term.coefficient *
+                (ja >= 0 ? StoredTangent::entry(term.p, bonds, first, ja) * bonds.weight[first + ja] *
+                               tangent.direction(first + ja)[c]
+                         : centre[i][2 * r * d + c]);
+    add_outer(place[i], left, &centre[i][(2 * r + 1) * d]);
+    for (int j = 0; j < bonds.family_size(i); ++j) {
+      const double q = StoredTangent::entry(term.q, bonds, first, j) * bonds.weight[first + j];
+      const double* m = tangent.direction(first + j);
+      double right[d];
+      for (int e = 0; e < d; ++e) right[e] = q * m[e];
+      add_outer(place[bonds.neighbor[first + j]], left, right);
+    }
+  }
+
+  /// The family of i: the particle of the rows is its neighbour ja, or i itself where ja is -1.
+  void add_family(LocalIndex i, int ja, std::size_t own) const {
+    const bonds::Bonds& bonds = scene.bonds();
+    if (ja >= 0) {
+      add_bond(i, ja, own, 1);
+      add_bond(i, ja, place[i], -1);
+    } else {
+      for (int j = 0; j < bonds.family_size(i); ++j) {
+        add_bond(i, j, own, 1);
+        add_bond(i, j, place[bonds.neighbor[bonds.offset[i] + j]], -1);
+      }
+    }
+    for (int r = 0; r < tangent.rank(i); ++r) add_term(i, ja, r);
+  }
+};
+
+}  // namespace
+
+template <int d>
+void AssembledTangent::fill_rows(const StoredTangent& tangent, double prescribed_diagonal, double* values) const {
+  const auto owned = static_cast<std::size_t>(scene_.owned());
+  const std::vector<CentreTerms<d>> centre = centre_terms<d>(scene_, tangent);
   std::vector<std::size_t> place(static_cast<std::size_t>(scene_.local()));
   for (std::size_t a = 0; a < static_cast<std::size_t>(scene_.local()); ++a) {
     const std::size_t width = (row_begin_[a + 1] - row_begin_[a]) * d;
     double* rows = values + row_begin_[a] * d * d;
     std::fill(rows, rows + width * d, 0.0);
     for (std::size_t k = row_begin_[a]; k < row_begin_[a + 1]; ++k) place[column_[k]] = (k - row_begin_[a]) * d;
-
-    for (std::size_t s = touching_begin_[a]; s < touching_begin_[a + 1]; ++s) {
-      const auto [i, ja] = touching_[s];
-      const std::int64_t first = bonds.offset[i];
-      const int count = bonds.family_size(i);
-      const int terms = tangent.rank(i);
-      const double volume = scene_.body().volume[i];
-
-      auto add_local = [&](int j, std::size_t column, double sign) {
-        const std::int64_t b = first + j;
-        const double* m = tangent.direction(b);
-        const double g = tangent.geometric(b);
-        const double w = sign * volume * bonds.weight[b];
-        for (int c = 0; c < d; ++c)
-          for (int e = 0; e < d; ++e)
-            rows[static_cast<std::size_t>(c) * width + column + e] +=
-                w * ((tangent.diagonal(b) - g) * m[c] * m[e] + (c == e ? g : 0.0));
-      };
-      const std::size_t own = place[a];
-      if (ja >= 0) {
-        add_local(ja, own, 1);
-        add_local(ja, place[i], -1);
-      } else {
-        for (int j = 0; j < count; ++j) {
-          add_local(j, own, 1);
-          add_local(j, place[bonds.neighbor[first + j]], -1);
-        }
-      }
-
-      for (int r = 0; r < terms; ++r) {
-        const StoredTangent::Term& term = tangent.term(i, r);
-        double left[d];
-        for (int c = 0; c < d; ++c)
-          left[c] = volume * term.coefficient *
-                    (ja >= 0 ? StoredTangent::entry(term.p, bonds, first, ja) * bonds.weight[first + ja] *
-                                   tangent.direction(first + ja)[c]
-                             : centre[i][2 * r * d + c]);
-        auto add_outer = [&](std::size_t column, const double* right) {
-          for (int c = 0; c < d; ++c)
-            for (int e = 0; e < d; ++e) rows[static_cast<std::size_t>(c) * width + column + e] += left[c] * right[e];
-        };
-        add_outer(place[i], &centre[i][(2 * r + 1) * d]);
-        for (int j = 0; j < count; ++j) {
-          const double q = StoredTangent::entry(term.q, bonds, first, j) * bonds.weight[first + j];
-          const double* m = tangent.direction(first + j);
-          double right[d];
-          for (int e = 0; e < d; ++e) right[e] = q * m[e];
-          add_outer(place[bonds.neighbor[first + j]], right);
-        }
-      }
-    }
+    const ParticleRows<d> of_particle{scene_, tangent, centre, place, rows, width};
+    for (std::size_t s = touching_begin_[a]; s < touching_begin_[a + 1]; ++s)
+      of_particle.add_family(touching_[s].centre, touching_[s].place, place[a]);
 
     for (int c = 0; c < d; ++c) {
       double* row = rows + static_cast<std::size_t>(c) * width;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "perinox/mechanics/stored_tangent.hpp"
+#include "stored_tangent.hpp"
 
 namespace perinox::mechanics {
 

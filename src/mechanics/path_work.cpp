@@ -1,4 +1,4 @@
-#include "perinox/mechanics/path_work.hpp"
+#include "path_work.hpp"
 
 namespace perinox::mechanics {
 

@@ -2,12 +2,12 @@
 
 #include <optional>
 
+#include "assembled_tangent.hpp"
+#include "path_work.hpp"
 #include "perinox/core/profile.hpp"
-#include "perinox/mechanics/assembled_tangent.hpp"
 #include "perinox/mechanics/internal_force.hpp"
-#include "perinox/mechanics/path_work.hpp"
-#include "perinox/mechanics/stored_tangent.hpp"
 #include "perinox/mechanics/tangent.hpp"
+#include "stored_tangent.hpp"
 
 namespace perinox::mechanics {
 

@@ -1,4 +1,4 @@
-#include "perinox/mechanics/stored_tangent.hpp"
+#include "stored_tangent.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "perinox/mechanics/assembled_tangent.hpp"
+#include "assembled_tangent.hpp"
 #include "perinox/mechanics/internal_force.hpp"
 
 namespace perinox::mechanics {

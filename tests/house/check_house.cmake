@@ -93,6 +93,15 @@ foreach(file IN LISTS files)
   endif()
 endforeach()
 
+# Long functions.
+file(GLOB_RECURSE files "${ROOT}/include/*.hpp" "${ROOT}/src/*.hpp" "${ROOT}/src/*.cpp" "${ROOT}/bench/*.cpp"
+     "${ROOT}/examples/*.cpp" "${ROOT}/fuzz/*.cpp")
+execute_process(COMMAND awk -v most=60 -f "${CMAKE_CURRENT_LIST_DIR}/long_functions.awk" ${files}
+                RESULT_VARIABLE status OUTPUT_VARIABLE long ERROR_VARIABLE said)
+if(NOT status STREQUAL "0")
+  string(APPEND breaches "  functions of more than 60 lines:\n${long}${said}")
+endif()
+
 if(files_read EQUAL 0 OR includes_read EQUAL 0)
   message(FATAL_ERROR "nothing was read under '${ROOT}': pass -DROOT=<source folder>")
 endif()

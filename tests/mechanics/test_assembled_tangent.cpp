@@ -6,7 +6,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
 
-#include "perinox/mechanics/assembled_tangent.hpp"
+#include "mechanics/assembled_tangent.hpp"
 #include "perinox/mechanics/tangent_check.hpp"
 #include "support/load_states.hpp"
 #include "support/measured.hpp"

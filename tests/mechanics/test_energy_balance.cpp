@@ -2,7 +2,7 @@
 /// moving the body is what is stored plus what is dissipated, up to the size of the steps.
 #include <gtest/gtest.h>
 
-#include "perinox/mechanics/path_work.hpp"
+#include "mechanics/path_work.hpp"
 #include "support/load_states.hpp"
 #include "support/measured.hpp"
 

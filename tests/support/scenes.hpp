@@ -16,7 +16,7 @@
 
 #include "mechanics/matrix_free_tangent.hpp"
 #include "perinox/mechanics/internal_force.hpp"
-#include "perinox/mechanics/stored_tangent.hpp"
+#include "mechanics/stored_tangent.hpp"
 
 namespace perinox::test {
 

@@ -74,6 +74,7 @@ class Boundary {
   std::vector<LoadHistory> changing_loads() const;
   /// Of load steps that do not see where a load turns back, where some material remembers its way. Collective.
   void remark_on_reversals(const deck::Deck& deck);
+  void take_prescribed(std::vector<double>& mark, const std::vector<int>& prescriber);
   void keep_steady_values();
   void count_unknowns();
   void add_surface_force(const Entry& entry, double t, double* force) const;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "perinox/core/tpetra.hpp"
-#include "perinox/mechanics/stored_tangent.hpp"
+#include "stored_tangent.hpp"
 
 namespace perinox::mechanics {
 
