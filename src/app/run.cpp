@@ -180,7 +180,7 @@ int run(const Options& options, const Communicator& communicator) {
         "done: stored {:.6g}, dissipated {:.6g}, external work {:.6g} ({:+.1e} of the largest not accounted for); "
         "results in {}\n",
         e.stored, e.dissipated, e.external_work, gap, directory_of(options));
-  for (const std::string& remark : {stepper.unreached(), remark_on(gap, problem.scene, e)})
+  for (const std::string& remark : {stepper.jumps(), stepper.unreached(), remark_on(gap, problem.scene, e)})
     if (communicator.is_root() && !remark.empty()) fmt::print(stderr, "warning: {}\n", remark);
   return 0;
 }

@@ -132,8 +132,12 @@ NewtonResult EnergyDescent::run(const std::vector<double>& external, int step, O
     shift = length < 1 ? 4 * shift : shift <= smallest_shift ? 0 : shift / 10;
   }
   result.failure = linear::Failure::no_progress;
-  result.reason = fmt::format("going down in energy has found no equilibrium (relative residual {:.2e})",
-                              model_.relative_residual());
+  const double residual = model_.relative_residual();
+  result.reason =
+      residual <= solver_.newton.tolerance
+          ? fmt::format("going down in energy has come to an unstable equilibrium only (relative residual {:.2e})",
+                        residual)
+          : fmt::format("going down in energy has found no equilibrium (relative residual {:.2e})", residual);
   return result;
 }
 

@@ -52,11 +52,11 @@ class HardeningCurve {
       const double start = line.stress + line.slope * (strain - line.begin);
       const double end = k + 1 < lines_.size() ? lines_[k + 1].begin - strain : std::numeric_limits<double>::infinity();
       const double met = solve(start, line.slope);
-      result.strain = met < end ? met : end;
+      result.strain = met > end ? end : met;
       result.stress = start + line.slope * result.strain;
       result.slope = line.slope;
       result.work += (start + 0.5 * line.slope * (begun + result.strain)) * (result.strain - begun);
-      if (met <= end) return result;
+      if (!(met > end)) return result;  // also what is not a number, for whoever asks to see
       begun = end;
     }
   }

@@ -101,10 +101,26 @@ bool LoadStepper::go_down(Observer& observer, double t, equilibrium::NewtonResul
   commit(std::move(force));
   const double lost = energies_.lost_since(before);
   energies_.relaxed += lost;
+  note_jump(lost);
   observer.note(fmt::format("a stable equilibrium at t = {:.6g}: {:.4g} of energy lost on the way", t, lost));
   control_->jumped(medium_.t());
   settle(observer, result);
   return true;
+}
+
+void LoadStepper::note_jump(double energy) {
+  if (jumps_.count++ == 0) jumps_.first_t = medium_.trial().t;
+  jumps_.energy += energy;
+}
+
+std::string LoadStepper::jumps() const {
+  if (jumps_.count == 0) return "";
+  return fmt::format(
+      "the body jumps to another equilibrium in {} load step{}, {}at t = {:.6g}: {:.4g} of energy is lost on the way, "
+      "which load steps do not follow and which external_work counts; steps.control: arc-length finds the way, "
+      "explicit "
+      "dynamics the motion",
+      jumps_.count, jumps_.count == 1 ? "" : "s", jumps_.count == 1 ? "" : "first ", jumps_.first_t, jumps_.energy);
 }
 
 void LoadStepper::begin_step() {
@@ -223,7 +239,8 @@ void LoadStepper::commit(std::vector<double>&& force, bool followed) {
   // Outside forces on the body: the given ones, and on prescribed unknowns whatever balances the internal force.
   double work = 0;
   for (std::size_t u = 0; u < force.size(); ++u) {
-    const double before = boundary_.prescribed()[u] ? -force_[u] : external_[u];
+    // A body that jumps does so under the loads of its new place, whatever they were before.
+    const double before = boundary_.prescribed()[u] ? -force_[u] : followed ? external_[u] : external[u];
     const double after = boundary_.prescribed()[u] ? -force[u] : external[u];
     work += 0.5 * (before + after) * (trial.displacement[u] - medium_.displacement()[u]);
   }
@@ -234,6 +251,7 @@ void LoadStepper::commit(std::vector<double>&& force, bool followed) {
   if (snaps) {
     lost_by_snapping_ = sums[0] - (sums[1] - energies_.stored) - sums[2];
     energies_.relaxed += lost_by_snapping_;
+    note_jump(lost_by_snapping_);
   }
   energies_.stored = sums[1];
   energies_.dissipated += sums[2];

@@ -99,6 +99,9 @@ void LoadStepper::save(StateWriter& writer) const {
   writer.integer("stepper/linear_iterations", last_result_.linear_iterations);
   writer.particles("stepper/force", force_.data(), model_.dimension());
   medium_.save_fields(writer);
+  writer.integer("stepper/jumps", jumps_.count);
+  writer.number("stepper/first_jump", jumps_.first_t);
+  writer.number("stepper/jump_energy", jumps_.energy);
   control_->save(writer);
   newton_.save_remedies(writer);
   if (validity_) validity_->save(writer);
@@ -126,6 +129,8 @@ void LoadStepper::restore(StateReader& reader) {
   energies_.scale =
       std::max({std::abs(energies_.external_work), std::abs(energies_.stored), std::abs(energies_.dissipated)});
   if (reader.has("stepper/energy_scale")) energies_.scale = restored_number(reader, "stepper/energy_scale", 0);
+  if (reader.has("stepper/jumps"))
+    jumps_ = {count("stepper/jumps"), reader.number("stepper/first_jump"), reader.number("stepper/jump_energy")};
   last_result_.converged = true;
   last_result_.newton_iterations = count("stepper/newton_iterations");
   last_result_.linear_iterations = count("stepper/linear_iterations");

@@ -51,6 +51,7 @@ TEST(ArcLength, LoadStepsSayThatTheArchSnaps) {
     stepper.run(records);
     // Newton finds the other side by itself, or it is gone down to in energy.
     EXPECT_TRUE(records.noted("of energy lost on the way")) << count;
+    EXPECT_NE(stepper.jumps().find("in 1 load step, at t = "), std::string::npos) << stepper.jumps();
     const stepping::Energies& e = stepper.energies();
     EXPECT_GT(e.relaxed, 0.8 * depth * 400);
     EXPECT_NEAR(e.stored + e.relaxed, e.external_work, 1e-6 * e.external_work);

@@ -92,6 +92,15 @@ TEST(HardeningCurve, FlowEndsOnTheCurveAndItsWorkIsTheAreaBelow) {
     }
 }
 
+TEST(HardeningCurve, WhatIsNotANumberStaysSo) {
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  for (const materials::HardeningCurve& curve :
+       {Hardening::curve(), materials::HardeningCurve(2.0, 0.0), materials::HardeningCurve(2.0, 0.5)}) {
+    EXPECT_TRUE(std::isnan(curve.flow(0.1, [&](double, double) { return nothing; }).strain));
+    EXPECT_TRUE(std::isnan(curve.flow(nothing, [&](double stress, double) { return nothing * stress; }).strain));
+  }
+}
+
 /// A file that is gone when the test ends.
 struct Table {
   explicit Table(const std::string& text)

@@ -65,6 +65,8 @@ class LoadStepper {
   const Energies& energies() const { return energies_; }
   /// Null for a medium that is not peridynamic.
   const Validity* validity() const { return validity_.get(); }
+  /// What load steps have not followed, for a warning at the end of a run; "": nothing.
+  std::string jumps() const;
   /// StepControl::unreached() of a run that has come to its end.
   std::string unreached() const { return control_->unreached(); }
   /// Internal force at the committed state. [owned * dimension], force.
@@ -80,6 +82,7 @@ class LoadStepper {
   /// Energy that the given loads, held as they were, do over a step of load control whose supports do not move beyond
   /// what the body has taken up: above 0 it would go there by itself, so that it snaps. Collective.
   double set_free() const;
+  void note_jump(double energy);
   void raise_energy_scale();
   /// written: the fields that cost something are made too.
   StepRecord record(const equilibrium::NewtonResult& result, bool written);
@@ -132,8 +135,13 @@ class LoadStepper {
   Passing passing_;
   int step_ = 0;
   bool restored_ = false;
-  int passes_ = 0;                       ///< of the step at hand
-  double lost_by_snapping_ = 0;          ///< energy, in the step at hand
+  int passes_ = 0;               ///< of the step at hand
+  double lost_by_snapping_ = 0;  ///< energy, in the step at hand
+  struct Jumps {
+    int count = 0;
+    double first_t = 0, energy = 0;
+  };
+  Jumps jumps_;                          ///< to other equilibria since t = 0, without a phase in time
   std::optional<MotionRow> motion_;      ///< where the run may go on in time
   std::unique_ptr<HandOver> hand_over_;  ///< while the run goes on in time
   double passage_ = 0;                   ///< passage_time() before any bond broke
