@@ -26,6 +26,13 @@ class Shifted {
  private:
   linear::TangentSystem& system_;
 };
+
+std::string nothing_found(double residual, double tolerance) {
+  return residual <= tolerance
+             ? fmt::format("going down in energy has come to an unstable equilibrium only (relative residual {:.2e})",
+                           residual)
+             : fmt::format("going down in energy has found no equilibrium (relative residual {:.2e})", residual);
+}
 }  // namespace
 
 double EnergyDescent::potential(const std::vector<double>& external) const {
@@ -132,12 +139,7 @@ NewtonResult EnergyDescent::run(const std::vector<double>& external, int step, O
     shift = length < 1 ? 4 * shift : shift <= smallest_shift ? 0 : shift / 10;
   }
   result.failure = linear::Failure::no_progress;
-  const double residual = model_.relative_residual();
-  result.reason =
-      residual <= solver_.newton.tolerance
-          ? fmt::format("going down in energy has come to an unstable equilibrium only (relative residual {:.2e})",
-                        residual)
-          : fmt::format("going down in energy has found no equilibrium (relative residual {:.2e})", residual);
+  result.reason = nothing_found(model_.relative_residual(), solver_.newton.tolerance);
   return result;
 }
 
