@@ -30,10 +30,14 @@ constexpr double worth_a_warning = 1e-4;
 constexpr double worth_a_warning_of_chords = 0.05;
 constexpr double worth_a_warning_in_time = 0.01;
 
-/// Prints warnings about states that were reached and for which the model does not hold.
-void say_doubts(const stepping::Validity* validity, const Communicator& communicator) {
-  if (!validity || !communicator.is_root()) return;
-  for (const std::string& sentence : validity->at_end()) fmt::print(stderr, "warning: {}\n", sentence);
+/// Prints warnings about states that were reached and for which the model does not hold, and about those between.
+template <class Stepper>
+void say_doubts(const Stepper& stepper, const Communicator& communicator) {
+  std::vector<std::string> sentences = stepper.validity() ? stepper.validity()->at_end() : std::vector<std::string>();
+  if constexpr (std::is_same_v<Stepper, stepping::LoadStepper>)
+    if (!stepper.jumps().empty()) sentences.push_back(stepper.jumps());
+  if (!communicator.is_root()) return;
+  for (const std::string& sentence : sentences) fmt::print(stderr, "warning: {}\n", sentence);
 }
 
 /// The remark on a share that is missing; "" if it is small.
@@ -123,12 +127,12 @@ void run_into(Stepper& stepper, const Problem& problem, const Options& options, 
     stepper.run(*writer);
   } catch (const RunError& error) {
     say_times();
-    say_doubts(stepper.validity(), communicator);
+    say_doubts(stepper, communicator);
     const std::string command = checkpoints.resume_command();
     throw RunError(command.empty() ? error.what() : fmt::format("{}\nresume with: {}", error.what(), command));
   }
   say_times();
-  say_doubts(stepper.validity(), communicator);
+  say_doubts(stepper, communicator);
 }
 
 int run_in_time(Problem& problem, const Options& options, const Communicator& communicator,
@@ -180,7 +184,7 @@ int run(const Options& options, const Communicator& communicator) {
         "done: stored {:.6g}, dissipated {:.6g}, external work {:.6g} ({:+.1e} of the largest not accounted for); "
         "results in {}\n",
         e.stored, e.dissipated, e.external_work, gap, directory_of(options));
-  for (const std::string& remark : {stepper.jumps(), stepper.unreached(), remark_on(gap, problem.scene, e)})
+  for (const std::string& remark : {stepper.unreached(), remark_on(gap, problem.scene, e)})
     if (communicator.is_root() && !remark.empty()) fmt::print(stderr, "warning: {}\n", remark);
   return 0;
 }

@@ -14,9 +14,10 @@ namespace perinox::mechanics {
 namespace {
 
 /// A tangent of the scene as seen from the medium's committed state.
-class MediumTangent : public medium::Tangent {
+template <class Interface, class Kind>
+class Linearised : public Interface {
  public:
-  MediumTangent(const Committed& committed, std::unique_ptr<mechanics::Tangent> tangent, deck::TangentForm form)
+  Linearised(const Committed& committed, std::unique_ptr<Kind> tangent, deck::TangentForm form)
       : committed_(committed), tangent_(std::move(tangent)), form_(form) {}
   bool linearise(const medium::At& at) override { return tangent_->linearise(committed_, at, form_); }
   void apply(const double* x, double* y) const override { tangent_->apply(x, y); }
@@ -25,30 +26,26 @@ class MediumTangent : public medium::Tangent {
   }
   const std::vector<double>& shear_left() const override { return tangent_->shear_left(); }
 
+ protected:
+  const Kind& tangent() const { return *tangent_; }
+
  private:
   const Committed& committed_;
-  std::unique_ptr<mechanics::Tangent> tangent_;
+  std::unique_ptr<Kind> tangent_;
   deck::TangentForm form_;
 };
 
-class MediumMatrix : public medium::SparseTangent {
+using MediumTangent = Linearised<medium::Tangent, mechanics::Tangent>;
+
+class MediumMatrix : public Linearised<medium::SparseTangent, StoredTangent> {
  public:
   MediumMatrix(const Scene& scene, const Committed& committed, deck::TangentForm form,
                const std::vector<char>& prescribed)
-      : committed_(committed), form_(form), stored_(scene), assembled_(scene, prescribed) {}
-  bool linearise(const medium::At& at) override { return stored_.linearise(committed_, at, form_); }
-  void apply(const double* x, double* y) const override { stored_.apply(x, y); }
-  void diagonal_blocks(double* blocks, double dilatation) const override {
-    stored_.diagonal_blocks(blocks, dilatation);
-  }
-  const std::vector<double>& shear_left() const override { return stored_.shear_left(); }
-  void fill(double prescribed_diagonal) override { assembled_.fill(stored_, prescribed_diagonal); }
+      : Linearised(committed, std::make_unique<StoredTangent>(scene), form), assembled_(scene, prescribed) {}
+  void fill(double prescribed_diagonal) override { assembled_.fill(tangent(), prescribed_diagonal); }
   Teuchos::RCP<tpetra::Matrix> matrix() const override { return assembled_.matrix(); }
 
  private:
-  const Committed& committed_;
-  deck::TangentForm form_;
-  StoredTangent stored_;
   AssembledTangent assembled_;
 };
 

@@ -50,6 +50,11 @@ LoadStepper::LoadStepper(const deck::Deck& deck, std::unique_ptr<mechanics::Peri
 LoadStepper::LoadStepper(const deck::Deck& deck, mechanics::Scene& scene)
     : LoadStepper(deck, std::make_unique<mechanics::PeridynamicMedium>(scene, deck.output.fields)) {}
 
+const mechanics::Committed& LoadStepper::committed() const {
+  if (!peridynamic_) throw std::logic_error("only a peridynamic medium has a state of this kind");
+  return peridynamic_->committed();
+}
+
 void LoadStepper::run(Observer& observer) {
   const Communicator& ranks = model_.body().communicator;
   const double begin = now();
@@ -101,15 +106,15 @@ bool LoadStepper::go_down(Observer& observer, double t, equilibrium::NewtonResul
   commit(std::move(force));
   const double lost = energies_.lost_since(before);
   energies_.relaxed += lost;
-  note_jump(lost);
+  note_jump(t, lost);
   observer.note(fmt::format("a stable equilibrium at t = {:.6g}: {:.4g} of energy lost on the way", t, lost));
   control_->jumped(medium_.t());
   settle(observer, result);
   return true;
 }
 
-void LoadStepper::note_jump(double energy) {
-  if (jumps_.count++ == 0) jumps_.first_t = medium_.trial().t;
+void LoadStepper::note_jump(double t, double energy) {
+  if (jumps_.count++ == 0) jumps_.first_t = t;
   jumps_.energy += energy;
 }
 
@@ -118,8 +123,7 @@ std::string LoadStepper::jumps() const {
   return fmt::format(
       "the body jumps to another equilibrium in {} load step{}, {}at t = {:.6g}: {:.4g} of energy is lost on the way, "
       "which load steps do not follow and which external_work counts; steps.control: arc-length finds the way, "
-      "explicit "
-      "dynamics the motion",
+      "explicit dynamics the motion",
       jumps_.count, jumps_.count == 1 ? "" : "s", jumps_.count == 1 ? "" : "first ", jumps_.first_t, jumps_.energy);
 }
 
@@ -251,7 +255,7 @@ void LoadStepper::commit(std::vector<double>&& force, bool followed) {
   if (snaps) {
     lost_by_snapping_ = sums[0] - (sums[1] - energies_.stored) - sums[2];
     energies_.relaxed += lost_by_snapping_;
-    note_jump(lost_by_snapping_);
+    note_jump(trial.t, lost_by_snapping_);
   }
   energies_.stored = sums[1];
   energies_.dissipated += sums[2];

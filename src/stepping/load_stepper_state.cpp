@@ -18,7 +18,6 @@ constexpr const char* phase = "phase/number";
 void LoadStepper::save_fracture(StateWriter& writer) const {
   writer.integer("stepper/passes", passes_);
   writer.number("stepper/released_energy", energies_.released);
-  writer.number("stepper/relaxed_energy", energies_.relaxed);
   std::vector<double> loose(static_cast<std::size_t>(model_.owned()), 0.0);
   std::copy(boundary_.loose().begin(), boundary_.loose().end(), loose.begin());
   writer.particles("fracture/loose", loose.data(), 1);
@@ -30,7 +29,6 @@ void LoadStepper::save_fracture(StateWriter& writer) const {
 void LoadStepper::restore_fracture(StateReader& reader) {
   passes_ = restored_count(reader, "stepper/passes");
   energies_.released = reader.number("stepper/released_energy");
-  energies_.relaxed = reader.number("stepper/relaxed_energy");
   const std::vector<double> marks = reader.particles("fracture/loose", 1);
   std::vector<char> loose;
   for (const double mark : marks) loose.push_back(static_cast<char>(mark != 0));
@@ -99,6 +97,7 @@ void LoadStepper::save(StateWriter& writer) const {
   writer.integer("stepper/linear_iterations", last_result_.linear_iterations);
   writer.particles("stepper/force", force_.data(), model_.dimension());
   medium_.save_fields(writer);
+  writer.number("stepper/relaxed_energy", energies_.relaxed);
   writer.integer("stepper/jumps", jumps_.count);
   writer.number("stepper/first_jump", jumps_.first_t);
   writer.number("stepper/jump_energy", jumps_.energy);
@@ -129,6 +128,7 @@ void LoadStepper::restore(StateReader& reader) {
   energies_.scale =
       std::max({std::abs(energies_.external_work), std::abs(energies_.stored), std::abs(energies_.dissipated)});
   if (reader.has("stepper/energy_scale")) energies_.scale = restored_number(reader, "stepper/energy_scale", 0);
+  if (reader.has("stepper/relaxed_energy")) energies_.relaxed = reader.number("stepper/relaxed_energy");
   if (reader.has("stepper/jumps"))
     jumps_ = {count("stepper/jumps"), reader.number("stepper/first_jump"), reader.number("stepper/jump_energy")};
   last_result_.converged = true;

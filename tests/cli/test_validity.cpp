@@ -47,6 +47,31 @@ TEST(Validity, FacesOfACrackThatPassEachOtherAreSaidOnceAStepAndAtTheEnd) {
   EXPECT_THAT(pulled.out, Not(HasSubstr("overlap")));
 }
 
+TEST(Validity, AJumpIsSaidAtTheEndWithQuietAndAfterARestart) {
+  const Folder folder;
+  folder.write("deck.yaml", R"yaml(
+dimension: plane-stress
+body: [{name: column, shape: {box: {min: [0, 0], max: [40, 3]}}, spacing: 1, material: m}]
+horizon: {ratio: 3.015}
+materials: {m: {model: elastic, young_modulus: 1000, poisson_ratio: 0.3}}
+sets: {l: {where: "x<3"}, r: {where: "x>37"}}
+boundary: [{set: l, displacement: {x: 0, y: 0}}, {set: r, force: {x: "-600*t", y: "0.01*t"}}]
+steps: {end: 1, count: 4}
+)yaml");
+  const std::string said =
+      "warning: the body jumps to another equilibrium in 1 load step, at t = 0.00683594: 2.276 of ";
+  const Outcome whole = folder.perinox({"run", "deck.yaml", "--output", "whole", "--quiet"});
+  ASSERT_EQ(whole.status, 0) << whole.error;
+  EXPECT_THAT(whole.error, StartsWith(said));
+  EXPECT_EQ(lines_of(whole.error).size(), 1u) << whole.error;
+  const Outcome first = folder.perinox(
+      {"run", "deck.yaml", "--output", "out", "--quiet", "--set", "steps.end=0.5", "--set", "steps.count=2"});
+  EXPECT_THAT(first.error, StartsWith(said));
+  const Outcome rest = folder.perinox({"run", "deck.yaml", "--restart", "out", "--quiet"});
+  ASSERT_EQ(rest.status, 0) << rest.error;
+  EXPECT_EQ(rest.error, whole.error);  // and nothing is unaccounted for
+}
+
 TEST(Validity, ARestartStillKnowsTheDeepestOverlap) {
   const Folder folder;
   folder.write("deck.yaml", pressed_crack);

@@ -261,7 +261,7 @@ steps: {end: 1, count: 2, adaptive: false}
 }
 
 TEST(LoadStepper, ALoadBeyondWhatFlowCarriesIsSaid) {
-  // Some way along it displacements overflow, and with them the return mapping has nothing to return to.
+  // On the way there force states are tried that are not numbers, and the return mapping has nothing to return to.
   for (const char* dimension : {"plane-strain", "plane-stress"}) {
     const RunResult run = run_deck(deck_of(fmt::format(R"yaml(
 dimension: {}
@@ -275,7 +275,8 @@ boundary:
 steps: {{end: 1, count: 4}}
 )yaml",
                                                        dimension)));
-    EXPECT_NE(run.stopped, "") << dimension;
+    EXPECT_THAT(run.stopped, ::testing::StartsWith("stopped at t = 0.")) << dimension;
+    EXPECT_FALSE(run.records.steps.empty()) << dimension;
   }
 }
 

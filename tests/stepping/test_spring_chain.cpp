@@ -4,6 +4,7 @@
 #include "perinox/output/checkpoint.hpp"
 #include "perinox/output/results_reader.hpp"
 #include "perinox/output/run_writer.hpp"
+#include "support/measured.hpp"
 #include "support/restarts.hpp"
 #include "support/spring_chain.hpp"
 
@@ -65,6 +66,11 @@ double elongation(double force) {  // of the first loading
   return (particles - 1) * (force / law.stiffness + std::max(0.0, force - law.yield) / law.hardening);
 }
 
+/// Prints and returns how far off a value is, over a scale.
+double off(const std::string& what, double value, double exact, double scale) {
+  return measured("spring chain: " + what, std::abs(value - exact) / scale);
+}
+
 TEST(SpringChain, FollowsItsLawThroughLoadingAndUnloading) {
   const RunResult run = run_chain(chain_deck());
   ASSERT_EQ(run.stopped, "");
@@ -73,15 +79,16 @@ TEST(SpringChain, FollowsItsLawThroughLoadingAndUnloading) {
   for (int k = 0; k < 5; ++k) {
     const StepRecord& row = run.records.steps[static_cast<std::size_t>(k)];
     const double force = peak * (k + 1) / 5;
-    EXPECT_NEAR(row.history[0], -force, 1e-8 * peak) << k;  // at most 4e-10 peak
-    EXPECT_NEAR(row.history[1], elongation(force), 1e-8 * elongation(peak)) << k;
+    EXPECT_LE(off("reaction", row.history[0], -force, peak), 1e-13) << k;                           // 5.3e-16
+    EXPECT_LE(off("elongation", row.history[1], elongation(force), elongation(peak)), 1e-13) << k;  // 5.6e-16
     EXPECT_EQ(row.history[2] > 0, k >= 2) << k;
     EXPECT_LE(row.newton_iterations, 3) << k;
   }
   const double left = elongation(peak) - (particles - 1) * peak / SpringLaw().stiffness;
-  EXPECT_NEAR(run.records.steps.back().history[1], left, 1e-8 * left);
+  EXPECT_LE(off("what is left", run.records.steps.back().history[1], left, left), 1e-13);  // 0
   for (LocalIndex i = 0; i < particles; ++i)
-    EXPECT_NEAR(run.displacement.at(i)[0], left * i / (particles - 1), 1e-8 * left) << i;
+    EXPECT_LE(off("displacement left", run.displacement.at(i)[0], left * i / (particles - 1), left), 1e-13)
+        << i;  // 4.2e-16
 }
 
 TEST(SpringChain, WorkIsStoredOrDissipated) {
@@ -89,9 +96,9 @@ TEST(SpringChain, WorkIsStoredOrDissipated) {
   const SpringLaw law;
   const double slip = (peak - law.yield) / law.hardening;
   const double dissipated = (particles - 1) * slip * (law.yield + 0.5 * law.hardening * slip);
-  EXPECT_NEAR(run.energies.dissipated, dissipated, 1e-8 * dissipated);
-  EXPECT_NEAR(run.energies.stored, 0, 1e-8 * dissipated);
-  EXPECT_NEAR(run.energies.unaccounted(), 0, 1e-8);
+  EXPECT_LE(off("dissipated", run.energies.dissipated, dissipated, dissipated), 1e-13);           // 8.9e-16
+  EXPECT_LE(off("stored", run.energies.stored, 0, dissipated), 1e-13);                            // 5.6e-30
+  EXPECT_LE(measured("spring chain: unaccounted", std::abs(run.energies.unaccounted())), 1e-13);  // 2.2e-16
 }
 
 TEST(SpringChain, GoesOnFromACheckpointToTheLastBit) {
@@ -121,8 +128,8 @@ TEST(SpringChain, IsWrittenLikeEveryOtherRun) {
   const std::vector<double> slip = results.field(10, "equivalent_plastic_strain"),
                             u = results.field(10, "displacement");
   for (std::size_t s = 0; s + 1 < static_cast<std::size_t>(particles); ++s) {
-    EXPECT_NEAR(slip[s], 0.04, 1e-9);
-    EXPECT_NEAR(u[3 * s + 3] - u[3 * s], 0.04, 1e-9);
+    EXPECT_LE(off("slip written", slip[s], 0.04, 0.04), 1e-13);                          // 1.4e-15
+    EXPECT_LE(off("displacement written", u[3 * s + 3] - u[3 * s], 0.04, 0.04), 1e-13);  // 4.3e-15
   }
 }
 
@@ -140,8 +147,9 @@ TEST(SpringChain, GoesAlongAnArcToo) {
       run_chain(chain_deck({"steps.control=arc-length", "steps.end=0.9", "steps.count=4", "arc_length.max_steps=40"}));
   ASSERT_EQ(run.stopped, "");
   const StepRecord& last = run.records.steps.back();
-  EXPECT_NEAR(last.t, 0.9, 1e-12);
-  EXPECT_NEAR(last.history[1], elongation(0.9 * peak), 1e-6 * elongation(peak));
+  EXPECT_LE(off("t along the arc", last.t, 0.9, 1), 1e-13);  // 0
+  EXPECT_LE(off("elongation along the arc", last.history[1], elongation(0.9 * peak), elongation(peak)),
+            1e-13);  // 2.2e-15
 }
 
 }  // namespace

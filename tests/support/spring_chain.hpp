@@ -62,14 +62,10 @@ class SpringChain : public medium::Medium {
       const double e = trial_.displacement[2 * s + 2] - trial_.displacement[2 * s];
       const double shear = trial_.displacement[2 * s + 3] - trial_.displacement[2 * s + 1];
       const double over = law_.stiffness * (e - slip_[s]) - law_.yield - law_.hardening * slip_[s];
-      if (over > 0) {
-        trial_slip_[s] += over / (law_.stiffness + law_.hardening);
-        ++trial_.yielding;
-      }
+      if (over > 0) trial_slip_[s] += over / (law_.stiffness + law_.hardening);
       const double along = law_.stiffness * (e - trial_slip_[s]), grown = trial_slip_[s] - slip_[s];
       const double energy = 0.5 * law_.stiffness * std::pow(e - trial_slip_[s], 2) + 0.5 * law_.across * shear * shear;
       trial_.stored += energy;
-      trial_.unflowed += 0.5 * law_.stiffness * std::pow(e - slip_[s], 2) + 0.5 * law_.across * shear * shear;
       trial_.dissipated += grown * (law_.yield + law_.hardening * (slip_[s] + 0.5 * grown));
       trial_.stored_energy[s] = energy / model_.body().volume[s];
       force[2 * s] += along;

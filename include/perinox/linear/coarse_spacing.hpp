@@ -1,7 +1,7 @@
 #pragma once
 #include "perinox/medium/model.hpp"
 
-/// All of these need Model::local_elasticity().
+// All of these need Model::local_elasticity().
 namespace perinox::linear {
 
 /// Largest kappa/mu of the materials that particles are made of. Collective.

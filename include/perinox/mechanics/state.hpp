@@ -16,6 +16,8 @@ class Evaluation;
 /// A state under trial: what one evaluation of the internal force leaves behind. Worthless until committed. The
 /// displacement has the ghosts too, up to date: [local * dimension].
 struct Trial : medium::Trial {
+  double unflowed = 0;     ///< energy of this rank's particles, had nothing flowed in the step
+  long long yielding = 0;  ///< this rank's particles that flow in the step
   std::vector<double> point_history;
   std::vector<double> bond_history;  ///< only where the scene is not made of sums
   std::vector<double> flow;          ///< [owned] share of the elastic part that flows; empty: no plastic material

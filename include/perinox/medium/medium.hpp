@@ -21,9 +21,7 @@ struct Trial {
   std::uint64_t version = 0;          ///< of the displacement; 0: it has no number
   std::vector<double> stored_energy;  ///< [owned] energy a volume
   double stored = 0;                  ///< energy
-  double unflowed = 0;                ///< energy, had nothing flowed in the step
   double dissipated = 0;              ///< energy dissipated in the step
-  long long yielding = 0;             ///< particles that flow in the step
 
   /// The displacement with its number, if it has one.
   At at() const { return version == 0 ? At(displacement.data()) : At(displacement.data(), version); }

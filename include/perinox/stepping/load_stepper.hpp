@@ -58,8 +58,8 @@ class LoadStepper {
   void on_stop(Told callback) { stopped_ = std::move(callback); }
 
   const medium::Medium& medium() const { return medium_; }
-  /// The committed state of a peridynamic medium.
-  const mechanics::Committed& committed() const { return peridynamic_->committed(); }
+  /// The committed state of a peridynamic medium. Throws std::logic_error for another one.
+  const mechanics::Committed& committed() const;
   const loads::Boundary& boundary() const { return boundary_; }
   equilibrium::Newton& newton() { return newton_; }
   const Energies& energies() const { return energies_; }
@@ -82,7 +82,8 @@ class LoadStepper {
   /// Energy that the given loads, held as they were, do over a step of load control whose supports do not move beyond
   /// what the body has taken up: above 0 it would go there by itself, so that it snaps. Collective.
   double set_free() const;
-  void note_jump(double energy);
+  /// t: to which the load step went; energy: lost on the way.
+  void note_jump(double t, double energy);
   void raise_energy_scale();
   /// written: the fields that cost something are made too.
   StepRecord record(const equilibrium::NewtonResult& result, bool written);
